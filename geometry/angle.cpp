@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whole quarter turns are taken off without rounding; sine and cosine see only
-// the rest, at most an eighth of a turn.
+// Whole quarter turns are subtracted exactly. Sine and cosine are evaluated only for the remainder, which is at most an
+// eighth of a turn.
 #include "geometry/angle.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths and normals are the true wall's; heads are moved onto its polygon, along
-// which the blocks are cut. So the head of a bolt lies neither in the air nor in the rock.
+// Lengths and normals are those of the true, curved wall. The heads are moved onto the polygon along which the blocks
+// are cut, so that no head lies in the air or inside the rock.
 #include "geometry/bolt_pattern.h"
 
 #include "geometry/angle.h"
@@ -13,10 +13,11 @@
 namespace keyblock {
 namespace {
 
-/// A share of the whole length that counts as none.
+/// Fraction of the whole length below which two positions coincide.
 constexpr double together = 1e-9;
 
-/// How far from the beginning the last head may lie [m]; below the offset where there is none.
+/// Largest distance of a bolt head from the start of the pattern [m]; less than the offset if there is no room for a
+/// bolt.
 double lastPlace(const TunnelProfile& profile, const BoltPattern& pattern) {
     const double from = lengthOfNearest(profile, pattern.from);
     const double to = lengthOfNearest(profile, pattern.to);
@@ -61,7 +62,7 @@ std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern&
         bolt.fromBeginning = pattern.offset + static_cast<double>(i) * pattern.spacing;
         const double place = beginning + sense * bolt.fromBeginning;
         const Point normal = normalAtLength(profile, place);
-        const Point onward = sense * turnLeft(normal);  // the opening lies on the left of a counter-clockwise walk
+        const Point onward = sense * turnLeft(normal);  // going counter-clockwise, the opening lies on the left
         bolt.head = outlinePointAtLength(profile, place);
         bolt.farEnd = bolt.head + pattern.length * (lean.x() * onward + lean.y() * normal);
     }

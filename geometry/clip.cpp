@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The line is cut wherever an edge crosses it or a corner comes near it, and the
-// middle of each piece decides where it lies. The middle is far from every edge
-// that the line crosses, or runs along one; so no answer hangs on a last digit.
+// The line is cut wherever an edge crosses it or a corner lies close to it, and the midpoint of each piece decides
+// whether the piece lies inside. The midpoint is either far from every edge that the line crosses, or lies along an
+// edge, so the result does not depend on the last digit.
 #include "geometry/clip.h"
 
 #include "geometry/polygon.h"
@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-/// Values of s, sorted, ends included, between which the line neither enters nor leaves the polygon.
+/// Sorted values of s, including both ends, between which the line neither enters nor leaves the polygon.
 std::vector<double> cuts(std::span<const Point> polygon, const Point& place, const Point& along, double begin,
                          double end, double tolerance) {
     std::vector<double> at{begin, end};
@@ -42,7 +42,7 @@ std::vector<std::pair<double, double>> clipped(std::span<const Point> polygon, c
     const std::vector<double> at = cuts(polygon, place, along, begin, end, tolerance);
     std::vector<std::pair<double, double>> kept;
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-        // Two cuts at one corner differ by round-off: what lies between them says nothing.
+        // Two cuts at the same corner differ only by round-off; the sliver between them is ignored.
         if (at[i + 1] - at[i] <= tolerance) continue;
         const Point middle = place + 0.5 * (at[i] + at[i + 1]) * along;
         if (locate(polygon, middle, tolerance) == Side::Outside) continue;

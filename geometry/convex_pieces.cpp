@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ear clipping: a corner that turns left and whose triangle holds no other corner
-// is cut off, until nothing is left. Every simple polygon has such a corner; with
-// straight corners in it, the widest ear goes first, so that no triangle is made of
-// three corners on a line while another is to be had. Blocks have few corners.
+// Ear clipping: an ear is a convex corner whose triangle contains no other corner. Ears are cut off until nothing is
+// left; every simple polygon has one. The widest ear is cut first, so that three collinear corners form a triangle only
+// if there is no other choice. Blocks have few corners, so a simple search is fast enough.
 #include "geometry/convex_pieces.h"
 
 #include "geometry/orientation.h"
@@ -17,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double straightTurn = 1e-9;  // sine of a turn
+constexpr double straightTurn = 1e-9;  // sine of the turning angle of a corner that counts as straight
 
 double turn(const Point& a, const Point& b, const Point& c) {
     const Point in = b - a, out = c - b;
@@ -54,7 +53,8 @@ private:
     int before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
     int after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
-    /// Takes away a corner that runs out and back, as is left where an outline touches itself.
+    /// Removes a spike, where the outline runs out and back along the same line. Spikes remain where an outline touches
+    /// itself.
     bool dropSpike() {
         for (std::size_t i = 0; i < left_.size(); ++i) {
             if (at(before(i)) != at(after(i))) continue;
@@ -65,7 +65,7 @@ private:
         return false;
     }
 
-    /// Where there is no ear, also of other corners.
+    /// The widest ear (largest sine of the turning angle), or the widest corner if there is no ear.
     std::size_t widestEar() const {
         std::size_t best = 0;
         double width = -2.0;
@@ -91,8 +91,8 @@ private:
         return true;
     }
 
-    /// Whether a corner lies in the triangle or, where an outline touches itself on a corner of the triangle, has a
-    /// side that leaves into it.
+    /// Whether a corner lies in the triangle. Where the outline touches itself at a corner of the triangle: whether a
+    /// side that starts there runs into the triangle.
     bool reachesInto(const std::array<Point, 3>& triangle, std::size_t i) const {
         const Point& p = at(left_[i]);
         for (std::size_t k = 0; k < 3; ++k) {

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An arc of half-angle h lies r(1 − cos h) = 2r sin²(h/2) off its chord, so edges
-// that turn by 4·asin √(s / 2r) keep the sagitta s. An ellipse is a circle drawn
-// out by no more than its larger half-axis in place of r.
+// An arc of half-angle h has the sagitta r(1 − cos h) = 2r sin²(h/2), so edges that turn by 4·asin √(s / 2r) have the
+// sagitta s. An ellipse is a circle stretched at most to its larger half-axis, which takes the place of r.
 //
-// An arc given by its bulge b = tan(φ/2), φ half of its angle, is drawn in the
-// frame of its chord: across it, R(cos θ − cos φ) = 2R sin((φ+θ)/2) sin((φ−θ)/2),
-// which keeps its digits where the centre lies far away.
+// An arc is given by its bulge b = tan(φ/2), where φ is half of its angle, and is drawn in the frame of its chord. Its
+// offset from the chord is R(cos θ − cos φ) = 2R sin((φ+θ)/2) sin((φ−θ)/2), which stays accurate even if the centre is
+// far away.
 #include "geometry/curve.h"
 
 #include "geometry/segment.h"
@@ -20,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastEdges = 32.0, mostEdges = 4096.0;  // of a full turn
+constexpr double leastEdges = 32.0, mostEdges = 4096.0;  // number of edges of a full circle
 
 int edgesOf(double radius, double sweep, double sagitta) {
     const double turn = 2.0 * std::numbers::pi;
@@ -30,7 +29,7 @@ int edgesOf(double radius, double sweep, double sagitta) {
     return std::max(1, static_cast<int>(std::ceil(perTurn * std::abs(sweep) / turn - 1e-9)));
 }
 
-/// de Boor's algorithm on homogeneous points (x·w, y·w, w), in the span of knots [i, i + 1).
+/// de Boor's algorithm on homogeneous points (x·w, y·w, w) in the knot interval [i, i + 1), where i is `span`.
 Point splinePoint(const Spline& spline, std::size_t span, double t) {
     const auto degree = static_cast<std::size_t>(spline.degree);
     std::vector<Eigen::Vector3d> d;
@@ -64,7 +63,7 @@ public:
     }
 
 private:
-    /// Adds the points after `a` up to `b`.
+    /// Adds the points after `a` up to and including `b`.
     void refine(std::size_t span, double from, const Point& a, double to, const Point& b, int depth) {
         constexpr int least = 2, most = 12;
         const double middle = 0.5 * (from + to);

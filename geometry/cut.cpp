@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The chain: traces are cleaned in doubles, inserted exactly, faces that are too
-// small are joined to neighbours, and what is left is rounded and looked at once
-// more. All of it works relative to an origin in the scene, so that a scene far
-// away keeps its digits. The steps and their limits: theory, "Cutting".
+// The traces are cleaned in double precision and inserted exactly, faces that are too small are merged with neighbours,
+// and the result is rounded and checked again. All coordinates are relative to an origin near the scene, so that a
+// scene far from zero loses no accuracy. The steps and their limits: theory, "Cutting".
 #include "geometry/cut.h"
 
 #include "geometry/face_groups.h"
@@ -28,7 +27,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 bool isUsable(const Point& p) { return std::abs(p.x()) < 1e100 && std::abs(p.y()) < 1e100; }
 
-/// The outline without repeated corners, counter-clockwise, its lowest corner first.
+/// The outline without repeated corners, counter-clockwise, starting at the leftmost corner (the lowest of several).
 std::vector<Point> canonical(std::vector<Point> outline) {
     outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
     while (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
@@ -48,7 +47,8 @@ bool isBefore(const CutDomain& a, const CutDomain& b) {
                                         });
 }
 
-/// Whole steps of a power of two, so that taking them off loses no digit; zero near the origin.
+/// The centre rounded to whole multiples of a power of two, so that subtracting it loses no digits; zero near the
+/// origin.
 double offsetOf(double center, double size) {
     if (std::abs(center) <= 4.0 * size) return 0.0;
     const double step = std::exp2(std::ceil(std::log2(size)));
@@ -141,7 +141,7 @@ private:
         cut_.tolerance = std::min(std::max(wanted, 64.0 * epsilon * farthest_), 0.01 * size_);
     }
 
-    /// What is given, or shares of the mean face and of its side.
+    /// The given limits, or by default fractions of the mean face area and of its square root.
     void setLeastFaces(const FaceGroups& groups) {
         double area = 0.0;
         int faces = 0;
@@ -163,10 +163,10 @@ private:
         for (const TracePiece& piece : clean_.pieces) sources_.push_back(piece.source);
     }
 
-    /// Resolution of positions [m].
+    /// Resolution of coordinates [m].
     double roundOff() const { return std::max(16.0 * epsilon * size_, 2.0 * epsilon * farthest_); }
 
-    /// Rounds vertices as they will be handed out, makes one of those that round-off cannot tell apart, and sorts them.
+    /// Rounds the vertices to their output coordinates, merges vertices that differ only by round-off, and sorts them.
     void roundPlaces() {
         std::vector<Point> points;
         for (const CutDomain& domain : domains_)
@@ -194,10 +194,10 @@ private:
         handOut(groups, std::move(blocks));
     }
 
-    using Blocks = std::vector<std::pair<int, TracedBlock>>;  // with their groups
+    using Blocks = std::vector<std::pair<int, TracedBlock>>;  // each with its group
 
-    /// Adds the blocks that a group is. \return false, and nothing added, where they are not sound or parts of a group
-    /// are under a limit.
+    /// Adds the blocks of a group. \return false, with nothing added, if a block is not sound or if one of several
+    /// blocks of the group is below a size limit.
     bool addBlocks(RingTracer& tracer, int group, Blocks& blocks) const {
         TracedGroup traced = tracer.trace(group);
         if (!traced.sound) return false;
@@ -208,8 +208,9 @@ private:
         return true;
     }
 
-    /// Joins groups that rounding has spoilt, the smallest first: a small one to the neighbour along its longest edge,
-    /// one that is larger than a neighbour to the smallest of these, which is likely what it stumbles over.
+    /// Merges groups that rounding made unsound, the smallest first. A group that is larger than one of its neighbours
+    /// is merged with the smallest neighbour, which is the likely cause. Any other group is merged with the neighbour
+    /// along its longest edge.
     void joinUnsound(FaceGroups& groups, RingTracer& tracer, std::vector<int> unsound,
                      Blocks& blocks) {
         const auto larger = [&](int a, int b) {
@@ -257,7 +258,7 @@ private:
         note(CutNoteKind::MergedSliver, middle, sources_[static_cast<std::size_t>(map_.marks[e].owner)], sliver.area);
     }
 
-    /// A stretch of a piece that bounds no face, from and to as lengths along the piece.
+    /// An interval of a piece that bounds no face; its ends are lengths along the piece.
     struct LooseStretch {
         double first = 0.0, last = 0.0;  // [m]
     };
@@ -361,7 +362,7 @@ private:
     double size_ = 0.0, farthest_ = 0.0;  // [m]
     CleanTraces clean_;
     PlanarMap map_;
-    std::vector<int> sources_;  // of pieces
+    std::vector<int> sources_;  // of each piece
     Cut cut_;
 };
 

@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-/// An edge of a ring, by vertices.
+/// An edge of a ring, given by the numbers of its vertices.
 struct RingEdge {
     int from = 0, to = 0;
 };
@@ -42,7 +42,7 @@ std::vector<Point> outlineOf(const std::vector<Point>& points, const CutRing& ri
     return outline;
 }
 
-/// True where a ring that does not cross another lies inside it; they may touch in vertices.
+/// True if the ring lies inside the other. The rings must not cross but may touch at vertices.
 bool isInside(const std::vector<Point>& points, const CutRing& ring, const CutRing& other) {
     const std::vector<Point> outline = outlineOf(points, other);
     for (const Point& p : outlineOf(points, ring))
@@ -50,7 +50,7 @@ bool isInside(const std::vector<Point>& points, const CutRing& ring, const CutRi
     return false;
 }
 
-/// True where a ring turns left at every corner and goes round once. Vertices count upwards to the right.
+/// True if a ring turns left at every corner and goes round exactly once. Vertex numbers increase to the right.
 bool isConvex(const std::vector<Point>& points, const CutRing& ring) {
     const std::size_t count = ring.vertices.size();
     int tops = 0, lefts = 0;
@@ -67,7 +67,7 @@ bool isConvex(const std::vector<Point>& points, const CutRing& ring) {
     return tops == 1 && lefts > 0;
 }
 
-/// True where two edges meet at most in a common vertex.
+/// True if the two edges have no point in common, except possibly a common vertex.
 bool areApart(const std::vector<Point>& points, const RingEdge& one, const RingEdge& two) {
     const auto at = [&](int vertex) -> const Point& { return points[static_cast<std::size_t>(vertex)]; };
     for (const auto& [a, b] : {std::pair(one.from, one.to), std::pair(one.to, one.from)})
@@ -115,7 +115,7 @@ TracedGroup RingTracer::trace(int group) {
     for (const Loop& loop : loops_)
         for (const Corner& corner : loop) uses_[static_cast<std::size_t>(corner.vertex)] = 0;
     TracedGroup traced = blocksOf(straightened);
-    return traced.sound ? traced : blocksOf(loops_);  // a corner that seems needless may keep edges apart
+    return traced.sound ? traced : blocksOf(loops_);  // a corner that looks superfluous may keep edges apart
 }
 
 void RingTracer::walk(int group) {
@@ -126,7 +126,7 @@ void RingTracer::walk(int group) {
     });
 }
 
-/// Walks one line of edges and parts it where it comes to a vertex again.
+/// Follows one closed line of edges and splits it into loops wherever it returns to a vertex.
 void RingTracer::split(int firstHalf, int group) {
     line_.clear();
     int half = firstHalf;
@@ -152,7 +152,7 @@ void RingTracer::closeLoop(std::size_t first) {
     line_.resize(first);
 }
 
-/// True where the line from `before` goes straight on at `corner`.
+/// True if the line from `before` continues straight at `corner`.
 bool RingTracer::isStraight(const Corner& before, const Corner& corner, const Corner& after) const {
     if (straight_ < 0.0 || uses_[static_cast<std::size_t>(corner.vertex)] > 1) return false;
     if (source(before.owner) != source(corner.owner)) return false;
@@ -160,8 +160,8 @@ bool RingTracer::isStraight(const Corner& before, const Corner& corner, const Co
     return std::abs(cross(r - p, q - p)) <= straight_ * (r - p).norm() && (q - p).dot(r - q) > 0.0;
 }
 
-/// Goes round from a corner that surely is one. Each vertex is seen from the last that stayed, so that short edges do
-/// not hide a corner from each other.
+/// Goes round the loop from a corner that is certainly not straight. Each vertex is compared with the last one that was
+/// kept, so that a bend spread over several short edges is not lost.
 RingTracer::Loop RingTracer::withoutStraight(const Loop& loop) const {
     const std::size_t count = loop.size();
     std::size_t first = 0;
@@ -175,7 +175,7 @@ RingTracer::Loop RingTracer::withoutStraight(const Loop& loop) const {
     return left.size() > 2 ? left : loop;
 }
 
-/// The ring from its lowest vertex on.
+/// The ring, starting at the vertex with the lowest number.
 CutRing RingTracer::ringOf(const Loop& loop) const {
     const auto lowest = std::min_element(loop.begin(), loop.end(),
                                          [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });

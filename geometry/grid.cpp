@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cells double in size from level to level. A box is at most as large as the cells
-// of its level, so a box that meets another has its lower left corner in the
-// cells of that box or one cell to the left or below: a few runs of a sorted list.
-// Pairs are looked for from the finer to the coarser level, hence found once.
+// The cell size doubles from level to level, and no box is larger than the cells of its level. So if a box meets
+// another one, its lower left corner lies in a cell that the other box covers, or in the next cell to the left or
+// below. These cells are a few runs of a sorted list. Pairs are searched from the finer to the coarser level, so each
+// pair is found once.
 #include "geometry/grid.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 double largerSide(const Box& box) { return (box.max - box.min).maxCoeff(); }
 
-/// Exponent of the cells for a box of this size. The part in a million to spare covers the round-off of indices up to
-/// a billion, so that boxes which just touch are never missed.
+/// Exponent of the cell size for a box of this size. The relative margin of 1e-6 covers the round-off of cell indices
+/// up to a billion, so that boxes that just touch are never missed.
 int levelOf(double size) {
     int exponent = 0;
     std::frexp(size * (1.0 + 1e-6), &exponent);
@@ -36,7 +36,7 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
         all.max = all.max.cwiseMax(box.max);
     }
     origin_ = all.min;
-    // Points and needles share cells of a billionth of the whole: indices stay exact.
+    // Points and tiny boxes share cells of a billionth of the whole extent, so that indices stay exact.
     const double least = std::max(1e-9 * largerSide(all), 1e-300);
 
     std::map<int, Level> byExponent;
@@ -57,11 +57,11 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
 }
 
 std::int64_t BoxGrid::cellIndex(double offset, double cell) const {
-    constexpr double farthest = 4e18;  // a query far outside stays within the integers
+    constexpr double farthest = 4e18;  // keeps the index of a query far outside within the integer range
     return static_cast<std::int64_t>(std::clamp(std::floor(offset / cell), -farthest, farthest));
 }
 
-/// All boxes in the cells that can hold boxes that meet `box`.
+/// Visits all boxes in the cells that can contain boxes meeting `box`.
 template <class Visit>
 void BoxGrid::visitCells(const Level& level, const Box& box, Visit visit) const {
     const Point low = box.min - origin_;

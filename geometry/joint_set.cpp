@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places are counted as number × mean plus the sum of the deviations so far: with
-// no deviation they are free of accumulated round-off, and a line far from the
-// origin is reached without walking there.
+// The position of a joint is its number times the mean spacing plus the sum of all deviations so far. Without
+// deviations, positions have no accumulated round-off, and a line far from the origin is found without stepping through
+// the lines before it.
 #include "geometry/joint_set.h"
 
 #include "geometry/angle.h"
@@ -16,13 +16,15 @@
 namespace keyblock {
 namespace {
 
-/// What a stream is drawn for; part of its name, so that switching one deviation on leaves the others' draws alone.
+/// The quantity for which a random stream is drawn. It is part of the stream's name, so that adding one deviation does
+/// not change the random numbers of the others.
 enum Purpose : std::int64_t { Spacing, Dip, Length, Bridge, Shift };
 
-/// The region's extent in the frame of the set, and how far outside it the middle of a trace can lie.
+/// Extent of the region in the frame of the joint set. Across the joints, it includes the distance by which the middle
+/// of a trace may lie outside the region.
 struct Reach {
     double lowAlong = 0.0, highAlong = 0.0;  // [m]
-    double lowAcross = 0.0, highAcross = 0.0;  // of lines that can reach the region [m]
+    double lowAcross = 0.0, highAcross = 0.0;  // of joints that can reach the region [m]
 };
 
 double largestTurn(const JointSet& set) { return scatterCut * set.dipDeviation * radiansPerDegree; }
@@ -49,14 +51,15 @@ double period(const JointSet& set) { return set.length->mean + set.bridge.mean; 
 
 bool tracesScatter(const JointSet& set) { return set.length->deviation > 0.0 || set.bridge.deviation > 0.0; }
 
-/// The number to start from: 0 or 1 where everything between has to be drawn, else the last before `low`.
+/// First number to visit: 0 or 1 if the deviations of all numbers have to be summed, otherwise the last number before
+/// `low`.
 std::int64_t firstNumber(bool scatters, int side, double low, double step) {
     const std::int64_t first = side > 0 ? 0 : 1;
     if (scatters || low <= step) return first;
     return std::max(first, static_cast<std::int64_t>(std::floor(low / step)));
 }
 
-/// Calls visit(line, place across [m]) for every line from `low` to `high`.
+/// Calls visit(line, position across the set [m]) for every line between `low` and `high`.
 template <class Visit>
 void forEachLine(const JointSet& set, double low, double high, Visit visit) {
     const bool scatters = set.spacing.deviation > 0.0;
@@ -76,7 +79,7 @@ void forEachLine(const JointSet& set, double low, double high, Visit visit) {
     }
 }
 
-/// Where the middle of trace 0 of a line lies along it [m].
+/// Position of the middle of trace 0 along its line [m].
 double middleOfLine(const JointSet& set, std::int64_t line) {
     if (line == 0) return 0.0;
     Random random(set.seed, {line, Shift});
@@ -84,7 +87,8 @@ double middleOfLine(const JointSet& set, std::int64_t line) {
     return period(set) * std::remainder(shift, 1.0);
 }
 
-/// Calls visit(number, middle along [m], length [m]) for every trace of a line that meets low … high.
+/// Calls visit(number, middle along the line [m], length [m]) for every trace of a line that meets the interval from
+/// `low` to `high`.
 template <class Visit>
 void forEachTrace(const JointSet& set, std::int64_t line, double low, double high, Visit visit) {
     const auto drawn = [&](const Scatter& scatter, Purpose purpose, std::int64_t number) {
@@ -148,7 +152,7 @@ std::optional<ShapeProblem> jointSetProblem(const JointSet& set) {
 }
 
 double jointTraceEstimate(const JointSet& set, std::span<const Point> region) {
-    /// Steps from `low` to `high`, and with scatter from 0 to both.
+    /// Number of steps from `low` to `high`; with scatter, the interval is extended to include 0.
     const auto steps = [](bool scatters, double low, double high, double step) {
         return 1.0 + (scatters ? std::max(high, 0.0) - std::min(low, 0.0) : high - low) / step;
     };

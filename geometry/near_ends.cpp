@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-/// Places by cells of a few radii, so that most neighbourhoods lie in one cell.
+/// Points in cells that are eight radii wide, so that most neighbourhoods lie within one cell.
 class PlaceCells {
 public:
     PlaceCells(double radius, std::size_t count) : radius_(radius), cell_(8.0 * radius) { first_.reserve(2 * count); }
@@ -25,7 +25,7 @@ public:
         if (!isNew) next_.back() = std::exchange(entry->second, place);
     }
 
-    /// The nearest place within the radius, the earliest of several as near; −1 without.
+    /// Index of the nearest place within the radius (of several equally near ones, the first); −1 if there is none.
     int nearest(const std::vector<Point>& places, const Point& p) const {
         int best = -1;
         double least = radius_;
@@ -44,7 +44,7 @@ public:
 
 private:
     std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
-    /// Cells that share a key only cost time.
+    /// Different cells may share a key; that only costs time.
     static std::uint64_t key(std::int64_t column, std::int64_t row) {
         std::uint64_t mixed = static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15u;
         mixed += static_cast<std::uint64_t>(row);
@@ -79,7 +79,7 @@ public:
             entries_[static_cast<std::size_t>(at[cell]++)] = {points[static_cast<std::size_t>(i)], i};
     }
 
-    /// Calls `visit(i)` for each point no farther than the radius from the segment a–b.
+    /// Calls `visit(i)` for each point within the radius of the segment a–b.
     template <class Visit>
     void visitNear(Point a, Point b, Visit visit) const {
         if (a.x() > b.x()) std::swap(a, b);
@@ -91,7 +91,7 @@ public:
             double low = a.y() + (left - a.x()) * slope, high = a.y() + (right - a.x()) * slope;
             if (left == a.x()) low = a.y();
             if (right == b.x()) high = b.y();
-            if (b.x() - a.x() <= 2.0 * radius_) low = a.y(), high = b.y();  // as good as upright
+            if (b.x() - a.x() <= 2.0 * radius_) low = a.y(), high = b.y();  // practically vertical
             if (low > high) std::swap(low, high);
             visitCells(c, row(low - 2.0 * radius_), row(high + 2.0 * radius_), a, b, visit);
         }
@@ -105,7 +105,7 @@ private:
 
     template <class Visit>
     void visitCells(int c, int firstRow, int lastRow, const Point& a, const Point& b, Visit visit) const {
-        const int first = start_[cellAt(c, firstRow)], end = start_[cellAt(c, lastRow) + 1];  // rows of a column adjoin
+        const int first = start_[cellAt(c, firstRow)], end = start_[cellAt(c, lastRow) + 1];  // rows are contiguous
         const Point chord = b - a;
         const double reach = radius_ * radius_ * chord.squaredNorm() * (1.0 + 1e-9);
         for (int k = first; k < end; ++k) {
@@ -124,11 +124,11 @@ private:
     Point origin_;
     double radius_, cell_ = 1.0;
     int columns_ = 1, rows_ = 1;
-    std::vector<int> start_;  // of each cell's entries
+    std::vector<int> start_;  // index of the first entry of each cell
     std::vector<Entry> entries_;
 };
 
-/// A point with what it is sorted by.
+/// A point and its sort keys.
 struct Keyed {
     double first = 0.0, second = 0.0;
     int point = 0;
@@ -139,8 +139,8 @@ bool isLower(const Keyed& a, const Keyed& b) {
     return a.second < b.second || (a.second == b.second && a.point < b.point);
 }
 
-/// Calls `visit(i, j)` for points no farther apart than the radius. They are swept across a direction in which no
-/// lines of a section are likely to run, so that few are level with each other.
+/// Calls `visit(i, j)` for each pair of points within the radius of each other. The points are sorted along a direction
+/// that is unlikely to be normal to the lines of a section, so that few points have nearly the same sort key.
 template <class Visit>
 void forEachClosePair(std::span<const Point> points, double radius, Visit visit) {
     const Point along(0.7986355, 0.6018150);
@@ -148,7 +148,7 @@ void forEachClosePair(std::span<const Point> points, double radius, Visit visit)
     order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) order.push_back({along.dot(points[i]), 0.0, static_cast<int>(i)});
     std::sort(order.begin(), order.end(), isLower);
-    const double window = 2.0 * radius;  // round-off of the sum included
+    const double window = 2.0 * radius;  // includes a margin for round-off of the dot product
     for (std::size_t k = 0; k < order.size(); ++k)
         for (std::size_t m = k + 1; m < order.size() && order[m].first - order[k].first <= window; ++m) {
             const int i = order[k].point, j = order[m].point;
@@ -177,7 +177,7 @@ Gathered gather(std::span<const Point> points, std::size_t fixed, double radius)
 
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius) {
     const std::size_t count = points.size();
-    std::vector<int> target(count);  // that a point goes to, itself in the end
+    std::vector<int> target(count);  // the point with which each point is merged; itself at the end of a chain
     std::iota(target.begin(), target.end(), 0);
     const auto end = [&](int i) {
         while (target[static_cast<std::size_t>(i)] != i) i = target[static_cast<std::size_t>(i)];

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The determinant in doubles answers unless it is within its error bound
-// (Shewchuk 1997, stage A). Then its six products are taken exactly, each as a
-// double and what that leaves out, and all twelve are summed without loss.
+// The determinant in double precision decides unless it is within its error bound (Shewchuk 1997, stage A). Otherwise
+// its six products are computed exactly, each as a double and its round-off error, and all twelve numbers are summed
+// exactly.
 #include "geometry/orientation.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-/// A sum of doubles kept as parts that do not overlap, the smallest first.
+/// A sum of doubles stored as non-overlapping parts, the smallest first.
 class ExactSum {
 public:
     void addProduct(double a, double b) {
@@ -23,7 +23,7 @@ public:
         add(product);
     }
 
-    /// The largest part decides.
+    /// The largest part decides the sign.
     int sign() const {
         for (int i = count_ - 1; i >= 0; --i)
             if (parts_[static_cast<std::size_t>(i)] != 0.0) return parts_[static_cast<std::size_t>(i)] > 0.0 ? 1 : -1;
@@ -35,7 +35,7 @@ private:
         for (int i = 0; i < count_; ++i) {
             double& part = parts_[static_cast<std::size_t>(i)];
             const double sum = value + part, shift = sum - value;
-            part = (value - (sum - shift)) + (part - shift);  // what the sum leaves out
+            part = (value - (sum - shift)) + (part - shift);  // round-off error of the sum
             value = sum;
         }
         parts_[static_cast<std::size_t>(count_++)] = value;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one file that knows CGAL. All segments go in at once, which is several
-// times faster than one after another. Numbers are lazy: an interval answers
-// nearly every question, and only the rest is worked out in rationals.
+// The only file that uses CGAL. All segments are inserted at once, which is several times faster than one by one.
+// Numbers are evaluated lazily: interval arithmetic is enough in nearly all cases, and only the others are computed
+// with exact rational numbers.
 #include "geometry/planar_map.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-/// Whose an edge is where two overlap.
+/// Combines the marks of edges that overlap.
 struct Together {
     EdgeMark operator()(const EdgeMark& a, const EdgeMark& b) const {
         return {std::min(a.owner, b.owner), inOneOf(a.domains, b.domains)};
@@ -32,7 +32,7 @@ using Arrangement = CGAL::Arrangement_2<Traits, CGAL::Arr_extended_dcel<Traits, 
 
 double rounded(const CGAL::Interval_nt<false>& interval) { return 0.5 * (interval.inf() + interval.sup()); }
 
-/// The midpoint of what is known of the place; where that is not sharp enough, the exact place.
+/// The midpoint of the interval that contains the point; if the interval is wider than the precision, the exact point.
 Point rounded(const Kernel::Point_2& place, double precision) {
     const auto& x = place.approx().x();
     const auto& y = place.approx().y();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What lies within the tolerance of a point is in its bin or in one of the eight
-// around it.
+// Points within the tolerance of a point are in its bin or in one of the eight bins around it.
 #include "geometry/point_set.h"
 
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integrals over a polygon are sums over the triangles that its edges span with
-// one point. That point is the first corner for the area and the centroid, and
-// the centroid for the second moments: nothing large is ever subtracted from
-// something large.
+// Integrals over a polygon are sums over the triangles between its edges and a reference point. The reference point is
+// the first corner for the area and the centroid, and the centroid for the second moments, so that large numbers are
+// never subtracted from each other.
 #include "geometry/polygon.h"
 
 #include "geometry/segment.h"
@@ -19,7 +18,7 @@ namespace {
 
 std::size_t following(std::span<const Point> polygon, std::size_t i) { return i + 1 == polygon.size() ? 0 : i + 1; }
 
-/// Calls `visit(p, q)` for every edge, seen from `origin`.
+/// Calls `visit(p, q)` with the ends of every edge, relative to `origin`.
 template <class Visit>
 void forEachEdge(std::span<const Point> polygon, const Point& origin, Visit visit) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -29,7 +28,7 @@ void forEachEdge(std::span<const Point> polygon, const Point& origin, Visit visi
     }
 }
 
-/// Centroid relative to the first corner; zero without area.
+/// Centroid relative to the first corner; zero if the area is zero.
 Point relativeCentroid(std::span<const Point> polygon, double area) {
     Point sum{0.0, 0.0};
     forEachEdge(polygon, polygon.front(), [&](const Point& p, const Point& q) { sum += cross(p, q) * (p + q); });
@@ -55,7 +54,7 @@ Moments moments(std::span<const Point> polygon) {
     result.area = sign * area;
     result.centroid = corner + centre;
     forEachEdge(polygon, corner, [&](const Point& fromCornerP, const Point& fromCornerQ) {
-        // ∫x² over the triangle (0, p, q) is p×q/12 · (p² + pq + q²), and alike for y² and xy.
+        // ∫x² over the triangle (0, p, q) is p×q/12 · (p² + pq + q²), and similarly for y² and xy.
         const Point p = fromCornerP - centre;
         const Point q = fromCornerQ - centre;
         const double weight = sign * cross(p, q) / 12.0;
@@ -80,8 +79,8 @@ double distanceToBoundary(std::span<const Point> polygon, const Point& p) {
 
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance) {
     if (distanceToBoundary(polygon, p) <= tolerance) return Side::Boundary;
-    // A ray towards +x changes sides at every edge it crosses; an edge owns its
-    // lower end only, so a corner on the ray counts once.
+    // A ray towards +x enters or leaves the polygon at every edge it crosses. An edge includes only its lower end, so
+    // that a corner on the ray counts once.
     bool inside = false;
     forEachEdge(polygon, p, [&](const Point& a, const Point& b) {
         const bool crossesRay = (a.y() > 0.0) != (b.y() > 0.0);
@@ -92,8 +91,8 @@ Side locate(std::span<const Point> polygon, const Point& p, double tolerance) {
 
 namespace {
 
-/// A point well inside: the middle of the chord that is farthest from the boundary,
-/// of the level chords halfway between the heights of neighbouring corners.
+/// A point well inside the polygon. The candidates are the midpoints of horizontal chords halfway between successive
+/// corner heights; the one farthest from the boundary is taken.
 std::optional<Point> deepPoint(std::span<const Point> polygon) {
     std::vector<double> heights;
     for (const Point& p : polygon) heights.push_back(p.y());
@@ -122,8 +121,8 @@ bool isDeepInside(std::span<const Point> polygon, const Point& p, double toleran
     return locate(polygon, p, tolerance) == Side::Inside;
 }
 
-/// True when the outline of `a` runs through the inside of `b`. The depth along a
-/// chord rises towards its middle, so the middle of every part inside is tested.
+/// True if the outline of `a` runs through the inside of `b`. The depth along a chord increases towards its middle, so
+/// the middle of every part inside is tested.
 bool outlineEnters(std::span<const Point> a, std::span<const Point> b, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         const Point& from = a[i];
@@ -140,7 +139,7 @@ bool outlineEnters(std::span<const Point> a, std::span<const Point> b, double to
 bool overlap(std::span<const Point> a, std::span<const Point> b, double tolerance) {
     if (a.empty() || b.empty() || !meets(boxOf(a), boxOf(b))) return false;
     if (outlineEnters(a, b, tolerance) || outlineEnters(b, a, tolerance)) return true;
-    // Neither outline enters the other: they are apart, or the same polygon twice.
+    // Neither outline enters the other: the polygons are apart or identical.
     const std::optional<Point> within = deepPoint(a);
     return within && isDeepInside(b, *within, tolerance);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which numbers make no tunnel. The limits are those that the header derives.
-// Conditions are written so that NaN fails them.
+// Checks whether the numbers of a shape give a valid tunnel. The limits are derived in the header. Conditions are
+// written so that NaN fails them.
 #include "geometry/polygon.h"
 #include "geometry/tunnel_profile.h"
 
@@ -46,7 +46,7 @@ Result problemOf(const DShape& s) { return boxProblem(s.center, s.width, s.heigh
 
 Result problemOf(const HorseshoeShape& s) {
     if (auto problem = boxProblem(s.center, s.width, s.height)) return problem;
-    // A thousandth less than the height at which the walls meet leaves a floor worth the name.
+    // A height 0.1 % below the one at which the walls meet still leaves a floor.
     const double highest = 0.5 * (1.0 + std::numbers::sqrt3) * s.width;
     if (s.height <= 0.999 * highest) return std::nullopt;
     return ShapeProblem{"height",

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which numbers are kept or drawn again is decided by sums and products alone;
-// the logarithm comes after, so another library's last digit cannot put a stream
-// out of step.
+// The polar method decides by sums and products alone whether a number is kept or drawn again. The logarithm is
+// evaluated afterwards, so that the last digit of another maths library cannot put a stream out of step.
 #include "geometry/random.h"
 
 #include <cmath>
@@ -20,11 +19,11 @@ std::uint64_t mixed(std::uint64_t z) {
     return z ^ (z >> 31);
 }
 
-/// Share of the standard normal distribution below `z`.
+/// Probability that a standard normal variable is below `z`.
 double normalShare(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-/// With s² = ln(1 + (deviation/mean)²) the mean of exp(s·z) over |z| <= c is
-/// exp(s²/2)·(Φ(c − s) − Φ(−c − s)) / (Φ(c) − Φ(−c)); draws are divided by it.
+/// With s² = ln(1 + (deviation/mean)²), the mean of exp(s·z) over |z| <= c is
+/// exp(s²/2)·(Φ(c − s) − Φ(−c − s)) / (Φ(c) − Φ(−c)). Draws are divided by this value.
 struct LogNormal {
     double s = 0.0;
     double median = 0.0;  // [m]

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A segment inside a polygon is found by cutting it wherever an edge or a corner
-// comes near and asking for the middle of each piece. The middle of a piece is
-// far from the boundary or runs along it, so the answer does not hang on the last
-// digit of a crossing.
+// The parts of a segment inside a polygon are found by cutting the segment wherever an edge or a corner is near and
+// testing the midpoint of each piece. The midpoint is far from the boundary or lies along it, so the result does not
+// depend on the last digit of a crossing.
 #include "geometry/segment.h"
 
 #include "geometry/polygon.h"
@@ -37,7 +36,7 @@ std::optional<Crossing> crossing(const Point& a, const Point& b, const Point& c,
 
 namespace {
 
-/// Parameters of a→b, sorted, ends included, between which it neither meets nor leaves an edge.
+/// Sorted parameters of a→b, including both ends, between which the segment neither meets nor leaves an edge.
 std::vector<double> cuts(std::span<const Point> polygon, const Point& a, const Point& b, double tolerance) {
     std::vector<double> at{0.0, 1.0};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -58,7 +57,7 @@ std::vector<std::pair<double, double>> insideIntervals(std::span<const Point> po
     const std::vector<double> at = cuts(polygon, a, b, tolerance);
     std::vector<std::pair<double, double>> inside;
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-        // Two cuts at one corner differ by round-off: the sliver between them says nothing.
+        // Two cuts at the same corner differ only by round-off; the sliver between them is ignored.
         if ((at[i + 1] - at[i]) * length <= tolerance) continue;
         const Point middle = a + 0.5 * (at[i] + at[i + 1]) * (b - a);
         if (locate(polygon, middle, tolerance) != Side::Inside) continue;

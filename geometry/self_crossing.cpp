@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether an outline is sound. Round-off cannot tell a corner on an edge from one
-// next to it, so everything within the tolerance of a corner is judged by the two
-// sides that leave that corner, and only what is clear of every corner by the
-// crossing of two edges.
+// Checks whether an outline is sound. Because of round-off, a corner on an edge cannot be distinguished from one next
+// to it. Therefore, within the tolerance of a corner, the two sides of that corner decide; elsewhere, the crossing of
+// two edges decides.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 
@@ -43,13 +42,13 @@ private:
         return distanceToSegment(corner(edge), corner(edge + 1), p) <= tolerance_;
     }
 
-    /// The two sides of corner i lie on each other.
+    /// True if the two sides of corner i overlap.
     bool foldsBack(int i) const {
         if (corners_.size() < 3) return false;
         return onEdge(corner(i - 1), i) || onEdge(corner(i + 1), i - 1);
     }
 
-    /// Edge j against edge i (which starts at corner i) and against its first corner.
+    /// A fault of edge j with edge i, which starts at corner i, or with corner i itself.
     std::optional<Point> faultBetween(int i, int j) const {
         const int n = static_cast<int>(corners_.size());
         const int gap = ((j - i) % n + n) % n;
@@ -61,7 +60,8 @@ private:
         return cutsThrough(i, j);
     }
 
-    /// Corner i lies on edge j: at fault when its sides leave to opposite sides of the outline there, or along it.
+    /// Corner i lies on edge j. This is a fault if the two sides of the corner leave to opposite sides of the outline
+    /// there, or along it.
     std::optional<Point> passesThrough(int i, int j) const {
         const bool atStart = (corner(j) - corner(i)).norm() <= tolerance_;
         const bool atEnd = (corner(j + 1) - corner(i)).norm() <= tolerance_;
@@ -78,12 +78,12 @@ private:
         return inLeft != outLeft ? std::optional(corner(i)) : std::nullopt;
     }
 
-    /// True when the sides from `at` to `p` and to `q` run along each other.
+    /// True if the sides from `at` to `p` and from `at` to `q` overlap.
     bool liesAlong(const Point& at, const Point& p, const Point& q) const {
         return distanceToSegment(at, p, q) <= tolerance_ || distanceToSegment(at, q, p) <= tolerance_;
     }
 
-    /// True when, turning counter-clockwise about `at` from `first`, `p` comes before `last`.
+    /// True if, turning counter-clockwise about `at` from `first`, `p` comes before `last`.
     static bool isBetween(const Point& at, const Point& first, const Point& p, const Point& last) {
         const auto angleFromFirst = [&](const Point& q) {
             const double angle = std::atan2(cross(first - at, q - at), (first - at).dot(q - at));
@@ -92,7 +92,7 @@ private:
         return angleFromFirst(p) < angleFromFirst(last);
     }
 
-    /// Edges i and j cross clear of their corners.
+    /// The point, clear of their corners, where edges i and j cross; none if they do not.
     std::optional<Point> cutsThrough(int i, int j) const {
         const bool nearCorner = onEdge(corner(i + 1), j) || onEdge(corner(j), i) || onEdge(corner(j + 1), i);
         if (nearCorner) return std::nullopt;

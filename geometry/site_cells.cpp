@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A cell begins as the box and loses what is nearer to another site, neighbours
-// first, until no site is left within twice the distance of its farthest corner:
-// only such a site could still take something away. Each edge keeps the name of
-// the site behind it; the names of two edges and the cell's own make a corner.
+// A cell starts as the box and loses the parts that are nearer to other sites, the nearest sites first. It is complete
+// when no further site is within twice the distance of its farthest corner, because only such a site could cut off
+// more. Each edge keeps the name of the site behind it. The names of two adjacent edges and of the cell itself identify
+// a corner.
 #include "geometry/site_cells.h"
 
 #include <algorithm>
@@ -19,15 +19,15 @@ constexpr int borderName = -1;
 
 struct Corner {
     Point p{0.0, 0.0};
-    int behind = borderName;  // the site behind the edge that begins here
+    int behind = borderName;  // the site behind the edge that starts here
 };
 
-/// Sites by squares of the plane.
+/// The sites, sorted into square bins.
 class Bins {
 public:
     Bins(std::span<const Point> sites, double spacing) : box_(boxOf(sites)) {
         const Point extent = box_.max - box_.min;
-        const double squares = 4.0 * static_cast<double>(sites.size());  // at most about so many, most of them empty
+        const double squares = 4.0 * static_cast<double>(sites.size());  // approximate maximum; most are empty
         width_ = std::max({spacing, std::sqrt(extent.x() * extent.y() / squares), extent.maxCoeff() / squares});
         columns_ = static_cast<long>(extent.x() / width_) + 1;
         rows_ = static_cast<long>(extent.y() / width_) + 1;
@@ -36,7 +36,8 @@ public:
             members_[index(column(sites[i]), row(sites[i]))].push_back(static_cast<int>(i));
     }
 
-    /// Calls visit(site) for those in squares `ring` away from that of `p`. False when there are no squares so far off.
+    /// Calls visit(site) for the sites in the ring of squares that is `ring` squares away from the square of `p`.
+    /// \return false if there are no squares that far away.
     template <class Visit>
     bool visitRing(const Point& p, long ring, Visit visit) const {
         const long c = column(p), r = row(p);
@@ -67,7 +68,7 @@ private:
     std::vector<std::vector<int>> members_;
 };
 
-/// Takes away what is nearer to `other` than to `own`.
+/// Cuts off the part of the cell that is nearer to `other` than to `own`.
 void keepNearer(std::vector<Corner>& cell, const Point& own, const Point& other, int name) {
     const Point across = other - own, middle = 0.5 * (own + other);
     const auto beyond = [&](const Corner& corner) { return across.dot(corner.p - middle); };
@@ -103,18 +104,19 @@ std::vector<Corner> cellOf(std::span<const Point> sites, int own, const Bins& bi
     return cell;
 }
 
-/// The centre of the circle through three points; not finite when they lie on a line.
+/// The centre of the circle through three points; not finite if they are collinear.
 Point circleCentre(const Point& a, const Point& b, const Point& c) {
     const Point u = b - a, v = c - a;
     const Point w = u.squaredNorm() * v - v.squaredNorm() * u;
     return a - turnLeft(w) / (2.0 * cross(u, v));
 }
 
-/// The corner's place as all three cells compute it.
+/// The position of the corner, computed identically for all three cells.
 Point commonPlace(std::span<const Point> sites, std::array<int, 3> names, const Point& own, double spacing) {
     const auto site = [&](int i) { return sites[static_cast<std::size_t>(names[static_cast<std::size_t>(i)])]; };
     const Point centre = circleCentre(site(0), site(1), site(2));
-    // Three sites nearly on a line have their centre far off, where digits are few; there each cell keeps its own.
+    // Three nearly collinear sites have a distant centre with few significant digits. There each cell keeps its own
+    // corner.
     return (centre - own).norm() <= 1e-3 * spacing ? centre : own;
 }
 

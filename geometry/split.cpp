@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outline falls into chains on either side of the line. Just above the line
-// every end of a chain changes inside to outside or back, so ends taken two by
-// two along the line are joined: that closes the chains to pieces.
+// The line divides the outline into chains on either side. Just above the line, every end of a chain is a change from
+// inside to outside or back. So the ends, in their order along the line, are joined in pairs, which closes the chains
+// into pieces.
 #include "geometry/split.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace keyblock {
 namespace {
 
-/// A corner with its place against the line: `off` is exactly 0 on it.
+/// A corner and its position relative to the line; `off` is exactly 0 on the line.
 struct ChainCorner {
     Point p{0.0, 0.0};
     double along = 0.0, off = 0.0;
 };
 
-/// Corners of the polygon, and one wherever an edge crosses the line.
+/// The corners of the polygon, and a corner wherever an edge crosses the line.
 std::vector<ChainCorner> cornersAndCrossings(std::span<const Point> polygon, const Point& place, const Point& along,
                                         double tolerance) {
     std::vector<ChainCorner> own;
@@ -41,14 +41,15 @@ std::vector<ChainCorner> cornersAndCrossings(std::span<const Point> polygon, con
 }
 
 struct Chain {
-    std::vector<ChainCorner> corners;  // first and last on the line
+    std::vector<ChainCorner> corners;  // the first and the last lie on the line
 };
 
-/// The runs of the outline on the positive side; empty with `whole` set where the outline never leaves it.
+/// The parts of the outline on the positive side. If the outline never leaves that side, `whole` is set and the result
+/// is empty.
 std::vector<Chain> chainsAbove(const std::vector<ChainCorner>& corners, bool& whole) {
     const std::size_t n = corners.size();
     const auto above = [&](std::size_t i) { return corners[i % n].off > 0.0 || corners[(i + 1) % n].off > 0.0; };
-    std::size_t start = 0;  // an edge that is not above
+    std::size_t start = 0;  // an edge that is not above the line
     while (start < n && above(start)) ++start;
     whole = start == n;
     std::vector<Chain> chains;
@@ -62,8 +63,8 @@ std::vector<Chain> chainsAbove(const std::vector<ChainCorner>& corners, bool& wh
 }
 
 struct ChainEnd {
-    double along = 0.0;  // place on the line
-    double lean = 0.0;  // cosine of the chain's direction there: of two ends at one place the one that leans back is first
+    double along = 0.0;  // position along the line [m]
+    double lean = 0.0;  // cosine of the chain's direction at this end; sorts ends at the same position
     std::size_t chain = 0;
     bool first = false;
 };
@@ -79,7 +80,7 @@ std::vector<ChainEnd> sortedEnds(const std::vector<Chain>& chains, double tolera
         ends.push_back({k.back().along, lean(k.back(), k[k.size() - 2]), c, false});
     }
     std::sort(ends.begin(), ends.end(), [](const ChainEnd& a, const ChainEnd& b) { return a.along < b.along; });
-    for (std::size_t i = 0; i < ends.size();) {  // ends at one place, by the direction they leave it
+    for (std::size_t i = 0; i < ends.size();) {  // ends at the same position are sorted by direction
         std::size_t j = i + 1;
         while (j < ends.size() && ends[j].along - ends[j - 1].along <= tolerance) ++j;
         std::stable_sort(ends.begin() + static_cast<std::ptrdiff_t>(i), ends.begin() + static_cast<std::ptrdiff_t>(j),
@@ -89,7 +90,7 @@ std::vector<ChainEnd> sortedEnds(const std::vector<Chain>& chains, double tolera
     return ends;
 }
 
-/// Joins chains to closed pieces; empty when the ends do not pair.
+/// Joins the chains into closed pieces; empty if the ends do not pair.
 std::vector<std::vector<Point>> closed(const std::vector<Chain>& chains, double tolerance) {
     const std::vector<ChainEnd> ends = sortedEnds(chains, tolerance);
     std::vector<std::size_t> next(chains.size(), chains.size());

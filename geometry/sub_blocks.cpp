@@ -17,7 +17,7 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-/// The grid's frame: rows along `along`, the box of the outline in it.
+/// The frame of the grid: rows run along `along`, and `box` is the bounding box of the outline in this frame.
 struct Grid {
     Point along{1.0, 0.0};
     Box box;
@@ -27,9 +27,9 @@ struct Grid {
     double height() const { return (box.max.y() - box.min.y()) / rows; }
 };
 
-/// The direction turned by quarters until it points most to the right.
+/// The direction, rotated by quarter turns until it points mostly to the right.
 Point rightmost(Point direction) {
-    constexpr double even = 1e-9;  // of a diagonal one, the one that rises
+    constexpr double even = 1e-9;  // of two diagonal directions, the rising one is taken
     for (int quarter = 0; quarter < 4; ++quarter) {
         if (direction.x() > 0.0 && direction.y() <= direction.x() * (1.0 + even) &&
             direction.y() > -direction.x() * (1.0 - even))
@@ -39,7 +39,7 @@ Point rightmost(Point direction) {
     return direction;
 }
 
-/// Direction of the longest edge; of several as long, the one that turns the grid least.
+/// Direction of the longest edge; of several equally long ones, the edge that rotates the grid least.
 Point gridDirection(std::span<const Point> polygon) {
     constexpr double equal = 1e-9;
     double longest = 0.0;
@@ -75,7 +75,8 @@ Grid gridOf(const Polygon& inFrame, const Point& along, double size) {
     return grid;
 }
 
-/// Parts pieces by `count − 1` lines along `direction` through `first + i·step`; what lies right of each line is done.
+/// Cuts the pieces by `count − 1` lines along `direction` through `first + i·step` and passes each part to `done`, with
+/// the number of its strip.
 template <class Done>
 void slice(std::vector<Polygon> rest, const Point& first, const Point& step, const Point& direction, int count,
            double tolerance, Done done) {
@@ -93,7 +94,7 @@ void slice(std::vector<Polygon> rest, const Point& first, const Point& step, con
 
 std::vector<Polygon> cellsOf(const Polygon& outline, const Grid& grid, double tolerance) {
     std::vector<std::vector<Polygon>> columns(static_cast<std::size_t>(grid.columns));
-    // downwards: a line that runs down has the columns to come on its left
+    // downwards, so that the remaining columns lie on the left of each line
     slice({outline}, grid.box.min, {grid.width(), 0.0}, {0.0, -1.0}, grid.columns, tolerance,
           [&](int column, Polygon part) { columns[static_cast<std::size_t>(column)].push_back(std::move(part)); });
     std::vector<Polygon> cells;
@@ -112,7 +113,7 @@ std::vector<Polygon> cellsOf(const Polygon& outline, const Grid& grid, double to
     return cells;
 }
 
-/// Pieces of edge that `a` shares with `b`, as they run in `a`.
+/// Parts of edges that `a` shares with `b`, in the direction of `a`.
 std::vector<std::pair<Point, Point>> sharedBy(const Polygon& a, const Polygon& b, double tolerance) {
     std::vector<std::pair<Point, Point>> pieces;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -135,7 +136,7 @@ double lengthOf(const std::vector<std::pair<Point, Point>>& pieces) {
     return length;
 }
 
-/// The polygon with every corner of the other that lies on an edge of it.
+/// The polygon, with added corners where a corner of the other polygon lies on one of its edges.
 Polygon withCornersOf(const Polygon& polygon, const Polygon& other, double tolerance) {
     Polygon all;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -156,7 +157,7 @@ Polygon withCornersOf(const Polygon& polygon, const Polygon& other, double toler
     return all;
 }
 
-/// Without corners at which the outline goes straight on, within round-off, unless they are among `kept`.
+/// The polygon without those corners among `ends` at which the outline is straight within round-off.
 Polygon withoutStraight(const Polygon& polygon, const std::vector<Point>& ends, double tolerance) {
     Polygon left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -171,7 +172,7 @@ Polygon withoutStraight(const Polygon& polygon, const std::vector<Point>& ends, 
     return left;
 }
 
-/// Both polygons as one; nothing where that would leave a hole or a pinch.
+/// The union of both polygons; nothing if it would have a hole or a pinch.
 std::optional<Polygon> joined(const Polygon& first, const Polygon& second, double tolerance) {
     const Polygon a = withCornersOf(first, second, tolerance), b = withCornersOf(second, first, tolerance);
     const auto same = [&](const Point& p, const Point& q) { return (p - q).norm() <= 2.0 * tolerance; };
@@ -180,7 +181,7 @@ std::optional<Polygon> joined(const Polygon& first, const Polygon& second, doubl
         bool used = false;
     };
     std::vector<Piece> pieces;
-    std::vector<Point> ends;  // of shared edges: there the outline may go straight on
+    std::vector<Point> ends;  // of shared edges; the outline may be straight there
     const auto add = [&](const Polygon& own, const Polygon& other) {
         for (std::size_t i = 0; i < own.size(); ++i) {
             const Point &p = own[i], &q = own[(i + 1) % own.size()];
@@ -210,7 +211,7 @@ std::optional<Polygon> joined(const Polygon& first, const Polygon& second, doubl
     return withoutStraight(outline, ends, 2.0 * tolerance);
 }
 
-/// Which cells are adjacent.
+/// The cells adjacent to each cell.
 std::vector<std::vector<int>> neighbours(const std::vector<Polygon>& cells, double tolerance) {
     std::vector<Box> boxes;
     for (const Polygon& cell : cells) boxes.push_back(grown(boxOf(cell), tolerance));
@@ -222,12 +223,12 @@ std::vector<std::vector<int>> neighbours(const std::vector<Polygon>& cells, doub
     return beside;
 }
 
-/// Joins each sliver, the smallest first, to the neighbour with which it shares most edge.
+/// Joins each sliver, the smallest first, to the neighbour with which it shares the longest boundary.
 void joinSlivers(std::vector<Polygon>& cells, double leastArea, double tolerance) {
     const std::vector<std::vector<int>> beside = neighbours(cells, tolerance);
-    std::vector<int> owner(cells.size());  // the cell that a piece went into
+    std::vector<int> owner(cells.size());  // the cell into which each piece was merged
     std::iota(owner.begin(), owner.end(), 0);
-    std::vector<std::vector<int>> parts(cells.size());  // pieces that went into a cell, itself too
+    std::vector<std::vector<int>> parts(cells.size());  // pieces merged into each cell, including itself
     for (std::size_t i = 0; i < cells.size(); ++i) parts[i] = {static_cast<int>(i)};
     std::vector<std::pair<double, int>> slivers;
     for (std::size_t i = 0; i < cells.size(); ++i)

@@ -17,7 +17,8 @@ namespace {
 
 bool lower(const Point& a, const Point& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); }
 
-/// Traces with their lower end first, by source, then by place: so nothing depends on how they were given.
+/// Puts the lower end of each trace first and sorts the traces by source, then by position, so that the result does not
+/// depend on the order of the input.
 void sortTraces(std::vector<CutTrace>& traces) {
     for (CutTrace& trace : traces)
         if (lower(trace.to, trace.from)) std::swap(trace.from, trace.to);
@@ -27,7 +28,7 @@ void sortTraces(std::vector<CutTrace>& traces) {
     std::sort(traces.begin(), traces.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
 }
 
-/// The part of a trace in a box, its ends untouched where they lie inside; none where it misses the box.
+/// The part of a trace within a box; ends inside the box are not changed. None if the trace misses the box.
 std::optional<CutTrace> inBox(const CutTrace& trace, const Box& box) {
     const Point way = trace.to - trace.from;
     double first = 0.0, last = 1.0;
@@ -47,11 +48,11 @@ std::optional<CutTrace> inBox(const CutTrace& trace, const Box& box) {
     return part;
 }
 
-/// A piece while it is still between places.
+/// A piece that is still given by the numbers of its end positions.
 struct Stretch {
     PlacePair ends;
     int source = borderSource;
-    int domain = -1;  // of an edge of the border
+    int domain = -1;  // of a border edge; −1 for a trace
 };
 
 class Cleaner {
@@ -80,7 +81,8 @@ private:
     const Point& at(int place) const { return places_[static_cast<std::size_t>(place)]; }
     bool nearBox(const Point& p) const { return meets(grown(box_, tolerance_), {p, p}); }
 
-    /// Without what misses the domains. Only traces that reach far out are cut off, as that turns them by round-off.
+    /// The traces without those that miss the domains. Only traces that extend far outside are clipped, because
+    /// clipping rotates them slightly by round-off.
     std::vector<CutTrace> clipped(const std::vector<CutTrace>& traces) {
         const double size = (box_.max - box_.min).maxCoeff();
         const Box close = grown(box_, std::max(8.0 * tolerance_, 1e-3 * size)), far = grown(box_, 0.5 * size);
@@ -103,7 +105,7 @@ private:
         for (const CutDomain& domain : domains_)
             points.insert(points.end(), domain.outline.begin(), domain.outline.end());
         const std::size_t corners = points.size();
-        // by place, so that no end depends on the order of sources
+        // sorted by position, so that no end depends on the order of the sources
         std::vector<std::pair<Point, std::size_t>> ends;
         for (std::size_t i = 0; i < traces.size(); ++i) {
             ends.emplace_back(traces[i].from, 2 * i);
@@ -146,9 +148,9 @@ private:
         stretches_.push_back({{from, to}, trace.source, -1});
     }
 
-    /// Of segments between the same places only the first stays; all of those of borders stay.
+    /// Of several segments between the same two positions only the first is kept; all segments of borders are kept.
     void dropRepeated() {
-        std::vector<std::tuple<int, int, int>> keys;  // places, stretch
+        std::vector<std::tuple<int, int, int>> keys;  // positions, segment
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             const PlacePair& ends = stretches_[i].ends;
             keys.emplace_back(std::min(ends.from, ends.to), std::max(ends.from, ends.to), static_cast<int>(i));
@@ -178,7 +180,7 @@ private:
         return pairs;
     }
 
-    /// Stretches by the places where they end, as lists one after another.
+    /// Lists the segments that end at each position, one list after another.
     void listStretches() {
         listStart_.assign(places_.size() + 1, 0);
         for (const Stretch& stretch : stretches_)
@@ -196,7 +198,7 @@ private:
                                         static_cast<std::size_t>(listStart_[p + 1] - listStart_[p]));
     }
 
-    /// Pairs (later, earlier) of stretches that may run along each other: there an end of one is close to the other.
+    /// Pairs (later, earlier) of segments that may coincide in part: an end of one is close to the other.
     std::vector<std::pair<int, int>> coincidentPairs() {
         listStretches();
         std::vector<std::pair<int, int>> pairs;
@@ -209,7 +211,7 @@ private:
         return pairs;
     }
 
-    /// What remains of `later` next to `earlier`: nothing when it stays unchanged.
+    /// The parts of `later` that do not coincide with `earlier`; nullopt if it stays unchanged.
     std::optional<std::vector<Stretch>> beside(const Stretch& later, const Stretch& earlier) {
         const Point &a = at(earlier.ends.from), &b = at(earlier.ends.to);
         const double length = (b - a).norm();
@@ -238,7 +240,7 @@ private:
 
     void joinCoincident() {
         const std::vector<std::pair<int, int>> pairs = coincidentPairs();
-        std::vector<std::vector<Stretch>> left(stretches_.size());  // of each stretch
+        std::vector<std::vector<Stretch>> left(stretches_.size());  // of each segment
         auto pair = pairs.begin();
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             left[i] = {stretches_[i]};
@@ -262,11 +264,11 @@ private:
             result_.pieces.push_back({at(stretch.ends.from), at(stretch.ends.to), stretch.source, 0.0, 0.0, false});
     }
 
-    /// A place seen from a stretch that it is close to.
+    /// A position relative to a segment close to it.
     struct View {
-        Point along{1.0, 0.0};  // of the stretch
-        double length = 0.0;  // of it [m]
-        double s = 0.0, off = 0.0;  // the place, along and left of it [m]
+        Point along{1.0, 0.0};  // of the segment
+        double length = 0.0;  // of the segment [m]
+        double s = 0.0, off = 0.0;  // the position along the segment and to the left of it [m]
     };
 
     View viewOf(int place, const Stretch& target) const {
@@ -284,7 +286,7 @@ private:
         return ends.from == place ? ends.to : ends.from;
     }
 
-    /// True when what ends at the place crosses the target there in any case.
+    /// True if the segments that end at the position cross the target there anyway.
     bool isAcross(int place, const Stretch& target, const View& view) const {
         bool left = false, right = false;
         for (int own : endingAt(place)) {
@@ -299,17 +301,19 @@ private:
         return left && right;
     }
 
-    double beyond() const { return 0.5 * tolerance_; }  // how far ends are pulled past what they reach
-    double least() const { return 0.125 * tolerance_; }  // safely on one side despite round-off
+    double beyond() const { return 0.5 * tolerance_; }  // by which ends are extended past the segment they reach
+    double least() const { return 0.125 * tolerance_; }  // distance at which a point is safely on one side
 
-    /// How far off the target the place must go: past it, away from where the only stretch there comes from.
+    /// The offset from the target to which the end must be moved: past the target, on the side away from the segment
+    /// that ends there.
     double offWanted(int place, const Stretch& target, const View& view) const {
         if (std::abs(view.off) > least()) return view.off > 0.0 ? -beyond() : beyond();
         const double far = cross(view.along, at(farEnd(endingAt(place).front(), place)) - at(target.ends.from));
         return far > 0.0 ? -beyond() : beyond();
     }
 
-    /// Length by which the only segment at a place extends past the target; none where that is long or leads away.
+    /// Length by which the only segment at a position must be extended to pass the target; none if that is too long or
+    /// the segment leads away.
     std::optional<double> goOn(int place, const View& view, double wanted) const {
         const Point& far = at(farEnd(endingAt(place).front(), place));
         const Point way = (at(place) - far).normalized();
@@ -335,7 +339,7 @@ private:
 
     void pullEnd(int place, std::span<const std::pair<int, int>> near) {
         const std::span<const int> own = endingAt(place);
-        // Corners of the border stay as they are, and so does what ends there.
+        // Corners of the border are not moved, and neither are ends that lie on them.
         if (own.empty() || static_cast<std::size_t>(own.front()) < borders_) return;
         double more = 0.0;
         for (const auto& [samePlace, other] : near) {
@@ -370,7 +374,7 @@ private:
     Box box_;
     double tolerance_;
     std::vector<Point> places_;
-    std::vector<Stretch> stretches_;  // those of the border first, then by source
+    std::vector<Stretch> stretches_;  // border segments first, then by source
     std::size_t borders_ = 0;
     std::vector<int> list_, listStart_;
     CleanTraces result_;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the numbers of a shape to its pieces. Directions on arcs are taken in
-// degrees, where quarter turns are exact, so crowns and springing lines come out
-// where the user expects them to the last digit.
+// Builds the pieces of a profile from the numbers of its shape. Directions on arcs are in degrees, in which quarter
+// turns are exact, so crowns and springing lines are exactly where the user expects them.
 #include "geometry/tunnel_profile.h"
 
 #include "geometry/angle.h"
@@ -26,7 +25,7 @@ int edgesOf(const Arc& arc, std::optional<double> sagitta) {
     return 2 * std::max(1, static_cast<int>(std::ceil(0.5 * onCircle * arc.sweep / 360.0 - 1e-9)));
 }
 
-/// Adds piece after piece, each from the end of the last.
+/// Adds pieces one after another, each starting at the end of the previous one.
 class Builder {
 public:
     explicit Builder(std::optional<double> sagitta) : sagitta_(sagitta) {}
@@ -57,7 +56,7 @@ TunnelProfile built(const CircleShape& s, std::optional<double> sagitta) {
     return builder.profile;
 }
 
-/// Floor, straight walls and the arc of `half` degrees on either side of its crown.
+/// Floor, straight walls and the arch above them.
 TunnelProfile walledArch(const Point& center, double width, double wallHeight, double rise, const Arc& arch,
                          std::optional<double> sagitta) {
     const double x = 0.5 * width, floor = -0.5 * (wallHeight + rise), spring = floor + wallHeight;

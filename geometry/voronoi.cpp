@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All is done relative to the corner of the region's box. A cell that no edge of
-// the region comes near is taken as it is; of the others, the region is parted by
-// one edge of the cell after the other. In the end every corner is looked up in
-// one set of places, so that neighbours share their doubles.
+// All coordinates are relative to the lower left corner of the region's box. A cell with no edge of the region near it
+// is used unchanged. For any other cell, the region is cut by one edge of the cell after the other. Finally, all
+// corners are looked up in one set of positions, so that neighbours share the same coordinates.
 #include "geometry/voronoi.h"
 
 #include "geometry/grid.h"
@@ -27,7 +26,8 @@ using Polygon = std::vector<Point>;
 
 long squares(double extent, double size) { return std::max(1L, std::lround(extent / size)); }
 
-/// One site to a square of the region's box, where it lies in the region; as many whole squares as fit.
+/// Divides the region's box into a whole number of squares and puts one random site into each; only sites inside the
+/// region are kept.
 std::vector<Point> scattered(const Polygon& region, double size, std::uint64_t seed, double tolerance) {
     const Box box = boxOf(region);
     const Point extent = box.max - box.min;
@@ -44,13 +44,14 @@ std::vector<Point> scattered(const Polygon& region, double size, std::uint64_t s
     return sites;
 }
 
-/// The region, ready to be cut by convex cells.
+/// Intersects the region with convex cells.
 class RegionCutter {
 public:
     RegionCutter(const Polygon& region, double tolerance)
         : region_(region), tolerance_(tolerance), edges_(boxesOfEdges(region, tolerance)) {}
 
-    /// The parts of a convex cell in the region; its first corner shows where a cell lies that no edge comes near.
+    /// The parts of a convex cell inside the region. If no edge of the region is near the cell, its first corner
+    /// decides whether it lies inside.
     std::vector<Polygon> partsOf(const Polygon& cell) const {
         if (cell.size() < 3) return {};
         if (edges_.meeting(boxOf(cell)).empty()) {
@@ -81,7 +82,7 @@ private:
     BoxGrid edges_;
 };
 
-/// The sites with the parts of their cells in the region; sites without any are removed.
+/// The sites and the parts of their cells inside the region; sites without such a part are removed.
 struct Parts {
     std::vector<Point> sites;
     std::vector<std::vector<Polygon>> cells;
@@ -117,7 +118,8 @@ Point centroidOf(const std::vector<Polygon>& pieces) {
     return area > 0.0 ? Point(sum / area) : pieces.front().front();
 }
 
-/// A piece as numbers of places. Corners of the region on a side of it become its corners: a neighbour may end there.
+/// A piece as a list of position numbers. Corners of the region on a side of the piece become its corners, because a
+/// neighbour may end there.
 std::vector<int> ringOf(const Polygon& piece, const Polygon& region, PointSet& places, double tolerance) {
     const Box near = grown(boxOf(piece), tolerance);
     Polygon corners;
@@ -141,7 +143,7 @@ std::vector<int> ringOf(const Polygon& piece, const Polygon& region, PointSet& p
     return ring;
 }
 
-/// Sides that two rings share, in the order of the first.
+/// Sides that two rings share, each listed once.
 std::vector<std::pair<int, int>> sharedSides(const std::vector<std::vector<int>>& rings) {
     std::map<std::pair<int, int>, int> count;
     std::vector<std::pair<int, int>> sides;

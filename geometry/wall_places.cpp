@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places along the wall of a tunnel. What two pieces share is judged within a
-// billionth of the whole length, so that round-off decides nothing.
+// Positions along the wall of a tunnel. A position within a billionth of the whole length of the end of a piece belongs
+// to both adjacent pieces, so that round-off has no influence.
 #include "geometry/angle.h"
 #include "geometry/segment.h"
 #include "geometry/tunnel_profile.h"
@@ -13,16 +13,16 @@
 namespace keyblock {
 namespace {
 
-/// A share of the whole length that counts as none.
+/// Fraction of the whole length below which two positions coincide.
 constexpr double onePlace = 1e-9;
 
-/// A piece, and a place on it.
+/// A piece and a position on it.
 struct Place {
     std::size_t piece = 0;
     double share = 0.0;  // 0 … 1 along the piece
 };
 
-/// `length` taken into 0 … whole, the end left out.
+/// `length` reduced to the range from 0 up to, but not including, the whole length.
 double wrapped(const TunnelProfile& profile, double length) {
     const double rest = std::fmod(length, profile.length);
     const double positive = rest < 0.0 ? rest + profile.length : rest;
@@ -50,7 +50,7 @@ Point normalOn(const ProfilePiece& piece, double share) {
     return -turnLeft((piece.to - piece.from).normalized());
 }
 
-/// The share of `piece` that is nearest to `p`.
+/// The position on `piece` that is nearest to `p`, as a fraction of its length.
 double nearestShare(const ProfilePiece& piece, const Point& p) {
     if (!piece.arc) return std::clamp(footParameter(piece.from, piece.to, p), 0.0, 1.0);
     const Point out = p - piece.arc->center;
