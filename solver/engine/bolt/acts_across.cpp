@@ -23,7 +23,7 @@ struct BoltLine {
         return std::abs(cross(direction, axis)) <= straight * direction.norm();
     }
     bool isOn(const Point& point) const { return std::abs(cross(point - place, axis)) <= tolerance; }
-    /// True where the centroid of the block at `point` lies on the line.
+    /// True if the centroid of the block at `point` lies on the line.
     bool passesBlockAt(const Point& point) const {
         const int block = blockAt(scene, point);
         return block >= 0 && isOn(moments(scene.blocks[static_cast<std::size_t>(block)].points).centroid);
@@ -52,7 +52,7 @@ bool pulls(const BoltLine& line, const Stage& stage) {
            each(stage.motions) && each(stage.initialVelocities);
 }
 
-/// No edge is oblique, and nothing strains the block.
+/// True if every edge is parallel or normal to the bolt and the block has no initial stress.
 bool isSquare(const BoltLine& line, const Block& block) {
     for (std::size_t i = 0; i < block.points.size(); ++i) {
         const Point edge = block.points[(i + 1) % block.points.size()] - block.points[i];

@@ -10,9 +10,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double flatRockTangent = 1e-9;  // of the spring: given to Newton's method where rock crushes
-constexpr double leastEmbedded = 1e-12;  // [m] embedded: less holds nothing
-constexpr double slidingShare = 1e-6;  // of its limit: a point that carries less than all but this sticks
+constexpr double flatRockTangent = 1e-9;  // of the spring stiffness: tangent for Newton's method while rock crushes
+constexpr double leastEmbedded = 1e-12;  // [m]: a shorter embedded length carries no force
+constexpr double slidingShare = 1e-6;  // of the limit: a point whose force is lower by more than this sticks
 
 double tributaryLength(const BoltModel& bolt, int n) {
     const double before = n > 0 ? bolt.elements[n - 1].length : 0.0;
@@ -20,7 +20,7 @@ double tributaryLength(const BoltModel& bolt, int n) {
     return 0.5 * (before + after);
 }
 
-/// Rock or grout crushes where the bar's pressure on its diameter reaches their strength.
+/// Limits the normal force: rock or grout crushes when the pressure on the bar's diameter reaches its strength.
 void addCrushing(const BoltStep& step, Law& law, int n, int block) {
     const auto& strength = step.model.joints[step.model.blocks[block].jointMaterial].crushingStrength;
     if (!strength) return;
@@ -49,14 +49,14 @@ void setSlipLaw(const AnchorModel& anchor, const BoltNode& node, const BoltMotio
     }
 }
 
-/// At the limit of friction, or on the curve itself and not on a branch of unloading.
+/// True if the force is at the friction limit, or on the curve itself rather than on an unloading branch.
 bool slides(const Law& law, const BackboneState& curve, double force) {
     if (law.kind != LawKind::Capped && law.kind != LawKind::Curve) return false;
     const double limit = law.kind == LawKind::Curve ? yieldForce(*law.curve, curve.accumulated) : law.limit;
     return std::abs(force) >= (1.0 - slidingShare) * limit;
 }
 
-/// The point slides with what is left of its strength, or has nothing left.
+/// The bond fails: the point slides with its residual strength or, if it has none, carries nothing.
 void debond(const AnchorModel& anchor, double strengthFactor, BoltNode& node) {
     NodeBond& bond = node.bond;
     bond.bonded = false;
@@ -72,8 +72,8 @@ void debond(const AnchorModel& anchor, double strengthFactor, BoltNode& node) {
     bond.force = -bond.keptForce * bond.share;
 }
 
-/// The force of a point that does not re-stick is constant. When sliding reverses, it pulls in the direction of motion, as
-/// a dead load does, and that work is a load's.
+/// The force of a point that does not re-stick is constant. When sliding reverses, this force acts in the direction of
+/// motion, like a dead load, and its work is counted as that of a load.
 void accountKeptForce(const NodeBond& bond, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     const double work = law.share * law.limit * (solved.strain + bond.slip);
@@ -99,7 +99,7 @@ void acceptSlip(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solv
     bond.sliding = !bond.bonded && slides(law, solved.curve, solved.force);
 }
 
-/// A point that slid is locked where it is now, as a contact is; one that stuck stays locked where it was.
+/// A point that slid is locked at its present position, like a contact; one that stuck stays locked where it was.
 void relockSlip(const State& state, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     if (law.kind != LawKind::Capped || law.stiffness <= 0.0) return;
@@ -114,7 +114,7 @@ void relockSlip(const State& state, BoltMotion& motion, EnergyLedger& energy, co
     motion.bondEnergy += work;
 }
 
-/// Moves the zero point across the slot where rock was crushed: what it did not take is elastic.
+/// Moves the zero point across the slot after rock was crushed, so that only the elastic displacement remains.
 void relockNormal(const State& state, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     if (law.kind != LawKind::Capped || std::abs(solved.force) < law.limit) return;

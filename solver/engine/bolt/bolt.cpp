@@ -34,7 +34,7 @@ void relock(const Model& model, State& state, const SolvedLink& solved) {
     else if (ofAnchor(kind)) relockAnchor(state, motion, state.energy, solved);
 }
 
-/// Node by node with the element that starts there, then the plate.
+/// Adds the limits node by node, each followed by the element that starts there, then the limit of the plate.
 void addLimitsOf(const BoltModel& bolt, const BoltMotion& motion, int owner, std::vector<Limit>& limits) {
     for (int i = 0; i < static_cast<int>(motion.nodes.size()); ++i) {
         addAnchorLimits(bolt, motion, owner, i, limits);
@@ -55,7 +55,7 @@ bool changesForces(const Model& model, const Limit& limit) {
     return limit.kind != LimitKind::Yield && limit.kind != LimitKind::Hinge;
 }
 
-/// Of the two elements beside a node, the larger |N| with its sign.
+/// The axial force, with its sign, of that element next to the node whose |N| is larger.
 double axialBeside(const BoltMotion& motion, int node) {
     double axial = 0.0;
     for (int e : {node - 1, node}) {
@@ -107,7 +107,7 @@ std::vector<Event> release(const Model& model, State& state, const Limit& limit)
     return events;
 }
 
-/// Of anchored points and plates in what excavated, on the nodes of their bolts.
+/// Forces of anchored points and plates in excavated blocks on the nodes of their bolts.
 void addWallForces(const Model& model, const State& state, const std::vector<char>& excavated,
                    std::vector<WallForce>& walls) {
     for (int b = 0; b < static_cast<int>(model.bolts.size()); ++b) {

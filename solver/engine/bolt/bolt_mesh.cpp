@@ -8,12 +8,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double growth = 0.2;  // of an element, over its distance from a zone
-constexpr double samplesAnElement = 8.0;  // of the density of nodes
+constexpr double growth = 0.2;  // growth of the element length per distance from a refined zone
+constexpr double samplesAnElement = 8.0;  // samples of the node density per element
 constexpr double mostSamples = 2e5;
-constexpr double leastShare = 0.05;  // of an element: a place nearer to a node than this has that node
+constexpr double leastShare = 0.05;  // of the element length: requested nodes this close to another node are left out
 
-/// Longest element at each place.
+/// Longest element allowed at each position.
 class ElementSize {
 public:
     explicit ElementSize(const MeshRequest& request) : request_(request) {
@@ -30,12 +30,12 @@ public:
         return stretch_ * size;
     }
 
-    /// Midpoints at which the density of nodes is taken.
+    /// Number of midpoints at which the node density is sampled.
     int samples(double from, double to) const {
         return static_cast<int>(std::clamp(std::ceil(samplesAnElement * (to - from) / least_ - 1e-6), 8.0, mostSamples));
     }
 
-    /// Elements that fit, not rounded.
+    /// Number of elements that fit, not rounded.
     double elementsBetween(double from, double to) const {
         const int count = samples(from, to);
         const double width = (to - from) / count;
@@ -50,7 +50,8 @@ private:
     double stretch_ = 1.0;
 };
 
-/// Adds nodes up to `to`, each element an equal share of what fits; nothing where `to` is the last node.
+/// Adds nodes up to `to`. The element lengths are graded and scaled so that a whole number of them fits. Adds nothing
+/// if the last node is already at `to`.
 void fill(std::vector<double>& nodes, double to, const ElementSize& size, double tolerance) {
     const double from = nodes.back();
     if (to - from <= tolerance) return;
@@ -69,7 +70,8 @@ void fill(std::vector<double>& nodes, double to, const ElementSize& size, double
     nodes.push_back(to);
 }
 
-/// Half the element around a joint: no longer than asked for, clear of the other joints and within the bolt [m].
+/// Half the length of the element that spans a joint: no longer than requested, clear of the other joints and within
+/// the bolt [m].
 double halfElement(const MeshRequest& request, std::size_t joint, double longest) {
     const std::vector<double>& joints = request.joints;
     double room = std::min({longest, 2.0 * joints[joint], 2.0 * (request.length - joints[joint])});

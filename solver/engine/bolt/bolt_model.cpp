@@ -18,20 +18,20 @@
 namespace keyblock {
 namespace {
 
-/// Normal spring of the shank per metre where a type gives none: a 20 mm bar grouted
-/// into a 33 mm hole, 2·E_g/(D/d − 1) with E_g 8.8 GPa (theory, "The dowel") [N/m²].
+/// Normal stiffness of the shank per metre if the bolt type gives none: a 20 mm bar grouted into a 33 mm hole,
+/// 2·E_g/(D/d − 1) with E_g = 8.8 GPa (theory, "The dowel") [N/m²].
 constexpr double groutNormalStiffness = 27.08e9;
-constexpr double bondedDivisions = 60.0;  // least of an automatic mesh; what holds for each node counts on it
-constexpr double freeDivisions = 20.0;  // the same of a bolt that is held at single places only
-constexpr double transferShare = 0.25;  // of the transfer length, for an element: a pull opens its joint 0.8 % too far
-constexpr double elementsBetweenJoints = 12.0;  // joints, where they are closer than the transfer length
-constexpr double softeningShare = 0.15;  // the same of a bond that falls from its peak: it is reached 8 % too late
+constexpr double bondedDivisions = 60.0;  // minimum for an automatic mesh; values per node refer to this number
+constexpr double freeDivisions = 20.0;  // the same for a bolt that is anchored at single points only
+constexpr double transferShare = 0.25;  // element length over transfer length: a pull opens a joint 0.8 % too far
+constexpr double elementsBetweenJoints = 12.0;  // used if joints are closer than the transfer length
+constexpr double softeningShare = 0.15;  // transferShare of a softening bond: its peak is reached 8 % too late
 
 BeamSection sectionOf(const BoltType& type) {
     BeamSection section;
     section.area = boltSteel(type).area;
     section.secondMoment = type.secondMoment.value_or(automaticSecondMoment(type));
-    const bool isLinear = type.steel.empty();  // else the curve gives the modulus
+    const bool isLinear = type.steel.empty();  // otherwise the modulus follows from the curve
     section.youngsModulus = isLinear && type.youngsModulus ? *type.youngsModulus : automaticYoungsModulus(type);
     section.shearModulus = type.shearModulus;
     section.shearCoefficient = type.shearCoefficient;
@@ -63,7 +63,7 @@ Anchor strengthened(Anchor anchor, double factor) {
 
 AnchorModel anchorModel(const Anchor& written, double dynamicFactor) {
     const Anchor anchor = withCurve(written);
-    const bool isMade = anchor.law != written.law;  // the curve is made of numbers: it scales with the strength alone
+    const bool isMade = anchor.law != written.law;  // a generated curve is scaled by the strength only
     AnchorModel model;
     model.real = true;
     model.canFail = canFail(rowOf(anchor.law));
@@ -89,7 +89,7 @@ int nearestNode(const std::vector<double>& nodes, double s) {
     return best;
 }
 
-/// What is left of intervals once another is taken out of it.
+/// The parts of the intervals that remain when another interval is removed from them.
 std::vector<Interval> without(const std::vector<Interval>& intervals, const Interval& taken) {
     std::vector<Interval> left;
     for (const auto& [from, to] : intervals) {
@@ -99,7 +99,7 @@ std::vector<Interval> without(const std::vector<Interval>& intervals, const Inte
     return left;
 }
 
-/// Intervals of the bolt that each entry holds: later entries take theirs from earlier ones.
+/// Intervals of the bolt to which each entry applies; later entries override earlier ones.
 std::vector<std::vector<Interval>> intervalsOf(const std::vector<Anchor>& entries, double length) {
     std::vector<std::vector<Interval>> intervals;
     for (const Anchor& entry : entries) {
@@ -140,7 +140,7 @@ void setSprings(const Plate& type, PlateModel& plate) {
     plate.shearStrength = type.shearStrength;
 }
 
-/// Ties the head to its place on the plate that is a block, square to the face that it lies against.
+/// Ties the head to a plate that is modelled as a block, normal to the face against which the plate lies.
 PlateModel blockPlate(const Model& model, const BoltModel& bolt, int index, const BoltType& type) {
     PlateModel plate;
     for (plate.block = model.firstOf.back(); model.blocks[plate.block].plateOf != index;) ++plate.block;
@@ -151,7 +151,7 @@ PlateModel blockPlate(const Model& model, const BoltModel& bolt, int index, cons
     return plate;
 }
 
-/// \param divisions of the bolt, which say how near to rock the head must be; null: automatic.
+/// \param divisions number of elements of the bolt, which defines how close to rock the head must be; null: automatic.
 PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType& type, std::optional<int> divisions) {
     PlateModel plate;
     const double length = bolt.s.back();
@@ -179,16 +179,16 @@ void setNormalSprings(BoltModel& bolt, const BoltType& type, bool automatic) {
     }
 }
 
-/// Length over which a dowel in these springs bends: 1/β, β = (K/4EI)^¼ [m].
+/// Length over which a dowel on these springs bends: 1/β, β = (K/4EI)^¼ [m].
 double dowelLengthOf(const BoltType& type, const BeamSection& section, double length) {
     double k = type.normalStiffness.value_or(groutNormalStiffness);
     if (type.normalStiffness && type.normalPer == Per::Node) k *= bondedDivisions / length;
     return std::pow(4.0 * section.youngsModulus * section.secondMoment / k, 0.25);
 }
 
-/// Numbers of a bond that its mesh goes by, for a metre of bolt.
+/// Properties of a bond that determine the mesh, per metre of bolt.
 struct Bond {
-    double stiffness = 0.0, peak = 0.0, residual = 0.0;  // [N/m², N/m]; peak 0: without limit
+    double stiffness = 0.0, peak = 0.0, residual = 0.0;  // [N/m², N/m, N/m]; peak 0: unlimited strength
     double softeningSlip = 0.0;  // [m]
 };
 
@@ -208,9 +208,9 @@ Bond bondOf(const Anchor& anchor) {
     return bond;
 }
 
-/// How far a bond works from where load is transferred to it, at most: three transfer lengths, the length over which it
-/// softens, and the length over which it debonds before the steel is at its strength [m]. The front of debonding carries
-/// about √(2·EA·G), G the work of the bond's curve per metre of bolt.
+/// Greatest distance from a point of load transfer to which the bond is loaded [m]: three transfer lengths, the length
+/// over which the bond softens, and the length over which it debonds before the steel reaches its strength. The
+/// debonding front carries about √(2·EA·G), where G is the work under the bond's curve per metre of bolt.
 double reachOf(const Bond& bond, double transfer, double axialStiffness, double steelStrength, double length) {
     if (bond.peak <= 0.0) return 3.0 * transfer;
     const double softened = (bond.peak - bond.residual) * bond.softeningSlip;
@@ -221,7 +221,7 @@ double reachOf(const Bond& bond, double transfer, double axialStiffness, double 
     return 3.0 * transfer + soft + gone;
 }
 
-/// From a joint to the nearest other one, or to an end of the bolt [m].
+/// Distance from a joint to the nearest other joint or end of the bolt [m].
 double spacingAt(const MeshRequest& request, std::size_t joint) {
     const double s = request.joints[joint];
     double spacing = std::min(s, request.length - s);
@@ -230,8 +230,8 @@ double spacingAt(const MeshRequest& request, std::size_t joint) {
     return spacing;
 }
 
-/// Short elements where load is transferred to a bond: at joints, at the plate and where the bond begins or ends inside
-/// the bolt.
+/// Requests short elements where load is transferred to a bond: at joints, at the plate, and where the bond begins or
+/// ends inside the bolt.
 void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& intervals, const BoltModel& b, bool plated,
                        MeshRequest& request) {
     const Bond bond = bondOf(anchor);

@@ -7,7 +7,8 @@
 namespace keyblock {
 namespace {
 
-/// The block that each node turns with: its own, or that of the next node along the unbroken bar; −1: none.
+/// The block with which each node rotates: its own or, without one, that of the next node along the unbroken bar; −1 if
+/// there is none.
 std::vector<int> carriersOf(const BoltMotion& bolt) {
     std::vector<int> carriers;
     for (const BoltNode& node : bolt.nodes) carriers.push_back(node.slot < 0 ? -1 : bolt.slots[node.slot].block);
@@ -19,8 +20,9 @@ std::vector<int> carriersOf(const BoltMotion& bolt) {
     return carriers;
 }
 
-/// A step is solved with linear displacements and blocks turn by the exact rotation: so must the nodes that they carry,
-/// or a bolt in a spinning block is pulled out at every step. \return what `x` moves beyond its linear displacement.
+/// A step is solved with linear displacements, but blocks then turn by the exact rotation. The nodes that they carry
+/// must do the same; otherwise a bolt in a spinning block would be pulled out a little at every step. \return the
+/// displacement of `x` in excess of its linear displacement.
 Point roundTheBend(const BlockMotion& block, double turn, const Point& x) {
     const Point arm = x - block.centroid;
     return (std::cos(turn) - 1.0) * arm + (std::sin(turn) - turn) * turnLeft(arm);

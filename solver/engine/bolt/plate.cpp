@@ -37,7 +37,7 @@ void acceptPlate(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& sol
         motion.plateShear = -solved.force;
         return;
     }
-    if (law.kind == LawKind::Constant)  // the jack pulls
+    if (law.kind == LawKind::Constant)  // work of the jack
         energy.external -= law.share * law.limit * (solved.strain - motion.plateStretch);
     motion.plateNormal = -solved.force;
     motion.plateStretch = solved.strain;
@@ -79,7 +79,7 @@ void lockOffPlates(const Model& model, State& state) {
         const double force = bolt.pretension, stiffness = bolt.plate.normalStiffness;
         motion.tensioning = false;
         motion.plateOffset = motion.plateStretch + force / stiffness;
-        state.energy.external += 0.5 * bolt.share * force * force / stiffness;  // the nut strains the plate
+        state.energy.external += 0.5 * bolt.share * force * force / stiffness;  // work of the nut, stored in the plate
     }
 }
 

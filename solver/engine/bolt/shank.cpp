@@ -9,12 +9,13 @@
 namespace keyblock {
 namespace {
 
-constexpr double flatHingeTangent = 1e-9;  // of the spring: given to Newton's method where a hinge turns
-constexpr double leastMoment = 1e-3;  // of the hinge's moment without axial force: a straight pull makes no hinge
+constexpr double flatHingeTangent = 1e-9;  // of the spring stiffness: tangent for Newton's method while a hinge rotates
+constexpr double leastMoment = 1e-3;  // of the hinge moment at zero axial force: pure tension forms no hinge
 
 double squared(double x) { return x * x; }
 
-/// The limit of both parts of the moment falls with the square of the axial stress over the first yield stress.
+/// The limit of both parts of the moment falls with the square of the ratio of the axial stress to the first yield
+/// stress.
 void addHinge(const BoltStep& step, Law& law, double turned, int e) {
     law.kind = LawKind::Capped;
     law.offset = turned;
@@ -22,9 +23,9 @@ void addHinge(const BoltStep& step, Law& law, double turned, int e) {
     law.limit = hingeLimit(step.bolt, step.motion, e);
 }
 
-/// The hinge's ratio: by the moment that the element would have as an elastic one under the limit it had, and by the
-/// one that it has under the limit that its axial force leaves it now. Below the least moment the ends turn freely,
-/// and their rotation says nothing (theory, "Plastic hinges").
+/// Utilisation of the hinge, the larger of two ratios. The first is the moment that an elastic element would have over
+/// the limit that it had. The second is the actual moment over the limit that the present axial force leaves. Below the
+/// minimum moment the ends rotate freely, and their rotation has no meaning (theory, "Plastic hinges").
 double hingeRatio(const BoltModel& bolt, const BoltMotion& motion, int e) {
     const BoltElementState& element = motion.elements[e];
     const double least = leastMoment * hingeForce(bolt, motion);
@@ -34,14 +35,14 @@ double hingeRatio(const BoltModel& bolt, const BoltMotion& motion, int e) {
     return std::max(reached, std::min(elastic, element.bendLimit) / left);
 }
 
-/// Which of tension and shear has the larger part in the combined action.
+/// Whether tension or shear contributes more to the combined failure.
 EventKind largerPart(const BoltModel& bolt, const BoltElementState& element) {
     const double tension = std::abs(element.axialForce) / bolt.tensileStrength;
     const double shear = bolt.shearStrength > 0.0 ? std::abs(element.shearForce) / bolt.shearStrength : 0.0;
     return tension >= shear ? EventKind::TensileRupture : EventKind::ShearRupture;
 }
 
-/// Moves the zero point of a hinge that turned: what it did not take is elastic.
+/// Moves the zero point of a hinge that rotated, so that only the elastic strain remains.
 void turnHinge(double& offset, double strain, EnergyLedger& energy, BoltMotion& motion, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     offset = strain - solved.force / law.stiffness;
@@ -106,7 +107,7 @@ void addShankLinks(BoltStep& step, int e) {
     const double stress = respond(axial.law, axial.strain).force, tension = section.area * stress;
 
     const Eigen::Vector3d sideways(s.across.x(), s.across.y(), 0.0);
-    if (tension > 0.0) {  // the chord turns against the tension it carries
+    if (tension > 0.0) {  // the tension resists rotation of the chord
         Link& chord = step.ofElement(LinkKind::Chord, e, 0.0, step.bolt.share, -sideways, sideways);
         chord.law.stiffness = tension / s.length;
     }
@@ -143,7 +144,7 @@ void acceptShank(const BoltModel& bolt, BoltMotion& motion, EnergyLedger& energy
             e.bend = solved.strain - link.law.offset;
             e.bendLimit = link.law.limit;
             return;
-        case LinkKind::Shear: {  // follows its bending partner
+        case LinkKind::Shear: {  // always follows the bending link of its element
             const BeamForces forces = beamForces(e.moment1, solved.force, bolt.elements[link.part].length);
             e.moment1 = forces.moment1;
             e.moment2 = forces.moment2;

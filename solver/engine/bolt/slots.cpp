@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-/// Shares of the way at which the bolt meets edges of the cells: where it may pass from one to the next.
+/// Fractions of the bolt's length at which it meets edges of the cells and may pass from one cell to the next.
 std::vector<double> crossingsOfCells(const Model& model, const std::vector<int>& cells, const Point& farEnd,
                                      const Point& head) {
     const double length = (head - farEnd).norm();
@@ -32,7 +32,7 @@ std::vector<double> crossingsOfCells(const Model& model, const std::vector<int>&
     return places;
 }
 
-/// The first cell with the place inside, else the first of several that it lies between; −1 on an outer face.
+/// The first cell that contains the point, otherwise the first of several cells that touch it; −1 on an outer face.
 int cellAt(const Model& model, const std::vector<int>& cells, const Point& place) {
     int between = -1, touching = 0;
     for (int cell : cells) {
@@ -92,7 +92,7 @@ std::vector<Slot> slotsAlong(const Model& model, const Point& farEnd, const Poin
 }
 
 std::vector<double> jointPlaces(const Model& model, const std::vector<Slot>& slots, double length) {
-    const auto goesOn = [&](const Slot& slot, double s) {  // in the next cell of the same block
+    const auto goesOn = [&](const Slot& slot, double s) {  // the bolt continues in the next cell of the same block
         return model.blocks[slot.block].cell && std::any_of(slots.begin(), slots.end(), [&](const Slot& other) {
             return other.block != slot.block && sameRock(model, other.block, slot.block) &&
                    std::min(std::abs(other.s2 - s), std::abs(other.s3 - s)) <= 2.0 * model.tolerance;

@@ -16,12 +16,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
-constexpr double endShare = 0.01;  // of the element at an end of the bar: so far in it is looked which way it runs
-constexpr int several = -2;  // on faces of more than one block
-constexpr double countedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
+constexpr double cellSlack = 1e-3;  // of a cell's size: largest gap between two glued cells
+constexpr double endShare = 0.01;  // of the element at an end of the bar: its block is looked up this far inside
+constexpr int several = -2;  // the point lies on faces of more than one block
+constexpr double countedShare = 1e-10;  // of the bolt's length: smaller changes of embedded length change no energy
 
-/// Length of `pieces` that lies in `intervals` and between `from` and `to` [m].
+/// Total length of the parts of `pieces` that lie in `intervals` and between `from` and `to` [m].
 double overlapOf(const std::vector<Interval>& pieces, const std::vector<Interval>& intervals, double from, double to) {
     double sum = 0.0;
     for (const auto& [a, b] : pieces)
@@ -44,7 +44,7 @@ public:
         share();
     }
 
-    /// By the blocks as they are now.
+    /// Places the nodes in the blocks as they are now.
     void startNow() {
         for (int n = 0; n < nodes(); ++n) {
             const int block = find(n, -1);
@@ -91,8 +91,8 @@ private:
 
     Side sideOf(int block, const Point& x) const { return locate(state_.blocks[block].corners, x, model_.tolerance); }
 
-    /// Inside one block, or on the free face of just one. An end of the bar that lies on a joint belongs to the block
-    /// that the bar runs into.
+    /// The block that contains the node, or the only one on whose face the node lies; −1 if there is none. An end of
+    /// the bar that lies on a joint belongs to the block that the bar runs into.
     int find(int n, int before) const {
         const Point& x = motion_.nodes[n].x;
         const int there = findAt(n, x, before);
@@ -108,9 +108,9 @@ private:
         if (before >= 0 && model_.blocks[before].cell)
             if (const int cell = findCell(n, before); cell >= 0) return cell;
         int onFace = -1, faces = 0;
-        for (int b = 0; b < model_.firstOf.back(); ++b) {  // plates are no rock
+        for (int b = 0; b < model_.firstOf.back(); ++b) {  // plates are not rock
             if (state_.blocks[b].absent) continue;
-            if (onFace >= 0 && sameRock(model_, onFace, b)) continue;  // between cells: the first
+            if (onFace >= 0 && sameRock(model_, onFace, b)) continue;  // between cells of one block: the first cell
             const Point away = x - state_.blocks[b].centroid;
             if (away.squaredNorm() > 4.0 * reachOf(b) * reachOf(b)) continue;
             const Side side = sideOf(b, x);
@@ -122,8 +122,9 @@ private:
         return faces == 1 ? onFace : faces > 1 ? several : -1;
     }
 
-    /// Within the same block: a bonded node stays with its cell, another goes to the one that it is inside;
-    /// between cells that glue holds a little apart it stays. −1 once it has left the block.
+    /// Finds the cell within the same block. A bonded node stays with its cell; any other node goes to the cell that
+    /// contains it. Between cells that are glued with a small gap, the node keeps its cell. −1 if it has left the
+    /// block.
     int findCell(int n, int before) const {
         const BoltNode& node = motion_.nodes[n];
         const auto rock = static_cast<std::size_t>(model_.blocks[before].rock);
@@ -148,7 +149,7 @@ private:
         return (motion_.nodes[b].x - motion_.nodes[a].x).normalized();
     }
 
-    /// The slot of the block that the node lies along, made where the bolt has none there.
+    /// The slot of the block along which the node lies; a new slot is made if the bolt has none in this block.
     int slotIn(int n, int block) {
         int best = -1;
         double nearest = 0.0;
@@ -174,12 +175,12 @@ private:
         node.slot = slotIn(n, block);
         const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
         node.bond.place = line.along.dot(node.x - line.p2) / line.length;
-        node.normalOffset = offSlot(line, node);  // beside the hole it makes its own: nothing pushes it back at once
+        node.normalOffset = offSlot(line, node);  // outside the hole, the node makes its own and starts without force
         node.bond.offset = 0.0;
         node.bond.curve = {};
     }
 
-    /// Into the next cell of the same block, with the force that the node has.
+    /// Moves the node into the next cell of the same block and keeps its force.
     void pass(int n, int block) {
         BoltNode& node = motion_.nodes[n];
         const double along = alongSlot(slotLine(state_, motion_.slots[node.slot]), node);
@@ -188,14 +189,14 @@ private:
         node.bond.place = (line.along.dot(node.x - line.p2) - along) / line.length;
     }
 
-    /// Cells of one block count as one: its first row represents them.
+    /// The cells of a block count as one block, which is represented by its first row.
     int wholeOf(int block) const {
         return block >= 0 && model_.blocks[block].cell ? model_.firstOf[model_.blocks[block].rock] : block;
     }
 
     int wholeAt(int n) const { return wholeOf(blockOf(n)); }
 
-    /// The block, or all cells of which it is one.
+    /// Adds the block or, if it is a cell, all cells of its block.
     void addWhole(int block, std::vector<int>& blocks) const {
         if (block < 0 || !model_.blocks[block].cell) {
             blocks.push_back(block);
@@ -205,7 +206,8 @@ private:
         for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) blocks.push_back(cell);
     }
 
-    /// Parts of an element in a block; a bolt along the edge between two cells counts as in one of them.
+    /// Parts of an element inside a block, as fractions of its length. A bolt along the edge between two cells counts
+    /// as inside one of them.
     std::vector<std::pair<double, double>> insideOf(int block, Point a, Point b) const {
         if (model_.blocks[block].cell) {
             const double reach = reachOf(block) + (b - a).norm();
@@ -217,7 +219,7 @@ private:
         return insideIntervals(state_.blocks[block].corners, a, b, model_.tolerance);
     }
 
-    /// Of the nodes that were in the same block before, the nearest along the bolt; −1: none.
+    /// The nearest node along the bolt that was already in the same block; −1 if there is none.
     int neighbourOf(int n, const std::vector<int>& entered) const {
         for (int away = 1; away < nodes(); ++away)
             for (int m : {n - away, n + away})
@@ -237,7 +239,8 @@ private:
         enterRock(bolt_.anchors[n], &beside, bond);
     }
 
-    /// Length that leaves the rock gives up what it stored; length that enters stores some of the work of friction.
+    /// Length that leaves the rock releases its stored energy. The energy stored in length that enters the rock is
+    /// taken from the work of friction.
     void accountFor(const std::vector<BoltNode>& before) {
         const double now = boltEnergy(model_, state_, index_);
         std::vector<BoltNode> nodes = before;
@@ -248,7 +251,8 @@ private:
         motion_.bondEnergy += lost;
     }
 
-    /// Intervals of the bolt in each block, its cells as one; an element within one block lies there wholly.
+    /// Intervals of the bolt in each block, with all cells of a block taken together. An element with both nodes in one
+    /// block lies entirely in that block.
     std::map<int, std::vector<Interval>> embedded() const {
         std::map<int, std::vector<Interval>> pieces;
         for (int e = 0; e + 1 < nodes(); ++e) {
@@ -273,7 +277,8 @@ private:
         return pieces;
     }
 
-    /// Cells come in the order of their rows, whichever way the bolt runs through them.
+    /// Joins adjoining intervals. They are sorted first, because cells come in the order of their rows, in whichever
+    /// direction the bolt runs.
     void join(std::vector<Interval>& pieces) const {
         std::sort(pieces.begin(), pieces.end());
         std::size_t last = 0;
@@ -289,7 +294,8 @@ private:
     double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }
     double tributaryTo(int n) const { return n + 1 == nodes() ? bolt_.s[n] : 0.5 * (bolt_.s[n] + bolt_.s[n + 1]); }
 
-    /// Shares the length embedded in each block within an entry's intervals wholly among that block's nodes of it.
+    /// Distributes the length embedded in each block, within the intervals of an entry, among the nodes of that entry
+    /// in the block.
     template <class Entry, class Set>
     void shareLength(const std::map<int, std::vector<Interval>>& pieces,
                      const std::vector<std::vector<Interval>>& intervals, Entry entryOf, Set set) {
