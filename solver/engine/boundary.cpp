@@ -15,7 +15,7 @@ namespace keyblock {
 namespace {
 
 constexpr double touching = 10.0;  // times the geometric tolerance
-const double gauss = 0.5 / std::sqrt(3.0);  // of a face's length from its middle: two such points are exact
+const double gauss = 0.5 / std::sqrt(3.0);  // distance of a Gauss point from the middle of a face, over the face length
 
 Box boxOfRock(const Model& model) {
     std::vector<Point> corners;
@@ -31,7 +31,8 @@ bool isAsked(const SideList& sides, BoundarySide side) {
                        [&](BoundarySide asked) { return asked == BoundarySide::All || asked == side; });
 }
 
-/// Where rock is on the sides asked for: faces of the domain by what the cut says of them, others by the box.
+/// The requested sides of the rock. If the cut recorded the sides of block faces, these are used; otherwise the
+/// bounding box of the rock decides.
 class Boundary {
 public:
     Boundary(const Model& model, const SideList& sides)
@@ -45,7 +46,7 @@ public:
         return side && isAsked(sides_, *side);
     }
 
-    /// A place of a block at the start.
+    /// Whether a point of a block lies on these sides. \param place initial position of the point.
     bool holdsPlace(int row, const Point& place) const {
         if (!model_.hasSides) return isBetween(place, place);
         const std::vector<Point> corners = startCorners(model_.blocks[row]);
@@ -59,7 +60,7 @@ public:
     }
 
 private:
-    /// Both places lie on one side of the box.
+    /// True if both points lie on the same requested side of the box.
     bool isBetween(const Point& a, const Point& b) const {
         const auto low = [&](int axis) { return std::max(a[axis], b[axis]) - box_.min[axis] <= near_; };
         const auto high = [&](int axis) { return box_.max[axis] - std::min(a[axis], b[axis]) <= near_; };

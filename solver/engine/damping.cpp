@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-/// Rate of a link's strain that velocities (or accelerations) of all unknowns make.
+/// Strain rate of a link due to velocities (or accelerations) of all unknowns.
 double strainRate(const StepProblem& problem, const Link& link, const Eigen::VectorXd& velocity) {
     const int wa = problem.width(link.a), wb = problem.width(link.b);
     return link.ga.head(wa).dot(velocity.segment(problem.first(link.a), wa)) +
@@ -18,14 +18,14 @@ bool isDamped(LinkKind kind) {
     return kind == LinkKind::Axial || kind == LinkKind::Bend || kind == LinkKind::Shear || kind == LinkKind::Glue;
 }
 
-/// The link's strain rate, resisted by the damping's share of its stiffness.
+/// A dashpot that acts on the strain rate of a link, with the damping factor times the link's stiffness.
 Link dragOf(const StepProblem& problem, const Link& link, double damping, const SchemeFactors& factors,
             const Eigen::VectorXd& motion) {
     Link drag = link;
     const double force = damping * drag.law.stiffness * strainRate(problem, drag, motion);
     const double stiffness = damping * drag.law.stiffness * factors.rate.d;
     drag.kind = LinkKind::Drag;
-    if (factors.rate.v != 0.0) drag.shift = 0.0;  // a rate at one moment, no mean over the step
+    if (factors.rate.v != 0.0) drag.shift = 0.0;  // the rate at one instant, not the mean over the step
     const double share = drag.law.share;
     drag.law = {};
     drag.law.share = share;

@@ -13,20 +13,20 @@
 namespace keyblock {
 namespace {
 
-constexpr double leastWay = 0.5;  // of the smaller cell: cells that joined slivers may have close centroids
-constexpr double turnShare = 1e-4;  // of the largest force of a block's glue: what the turning of its cells may add to one
-constexpr double placeDigits = 1e-14;  // of a place: strains of less are round-off
+constexpr double leastWay = 0.5;  // of the smaller cell's size: where slivers were merged, centroids may be close
+constexpr double turnShare = 1e-4;  // of a block's largest glue force: allowed error due to rotation of its cells
+constexpr double placeDigits = 1e-14;  // of a coordinate: smaller strains are round-off
 
 Point turned(const Point& p, double angle) {
     return {std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y()};
 }
 
-/// Where the glued edge is in either cell; its direction turns with the mean of the two.
+/// Position of the glued edge in both cells; its direction turns with their mean rotation.
 struct GlueLine {
     Point along{1.0, 0.0}, across{0.0, 1.0};  // `across` points from a to b
-    Point jump{0.0, 0.0};  // b's middle from a's [m]
-    Point middle{0.0, 0.0};  // between the two [m]
-    double slope = 0.0;  // of the gap along the edge [rad]
+    Point jump{0.0, 0.0};  // from a's midpoint of the edge to b's [m]
+    Point middle{0.0, 0.0};  // midpoint of the two [m]
+    double slope = 0.0;  // change of the gap along the edge [rad]
 };
 
 GlueLine glueLine(const GlueModel& glue, const BlockMotion& a, const BlockMotion& b) {
@@ -42,8 +42,8 @@ GlueLine glueLine(const GlueModel& glue, const BlockMotion& a, const BlockMotion
     return line;
 }
 
-/// Weighted mean of both. Half-way its directions are means too, a little shorter than 1: so strain grows over the step
-/// by what the gradients there say (theory, "Sub-blocks").
+/// Weighted mean of two lines. Halfway, its directions are means as well and slightly shorter than 1, so that the
+/// strain grows over the step in accordance with the gradients there (theory, "Sub-blocks").
 GlueLine between(const GlueLine& from, const GlueLine& to, double share) {
     const auto mean = [&](const auto& a, const auto& b) -> std::decay_t<decltype(a)> { return a + share * (b - a); };
     return {mean(from.along, to.along), mean(from.across, to.across), mean(from.jump, to.jump),
@@ -54,7 +54,7 @@ std::array<double, 3> strainsOf(const GlueLine& line) {
     return {line.across.dot(line.jump), line.along.dot(line.jump), line.slope};
 }
 
-/// Of all cells of a block together [m/s].
+/// Mean velocity of all cells of a block together [m/s].
 Point meanVelocity(const Model& model, const State& state, int first) {
     Point momentum(0.0, 0.0);
     double mass = 0.0;
@@ -67,7 +67,7 @@ Point meanVelocity(const Model& model, const State& state, int first) {
 
 Vector6 wayOf(const Eigen::VectorXd& path, int block) { return path.segment<6>(6 * static_cast<Eigen::Index>(block)); }
 
-/// Where cells are after a share of the path; other blocks have no entry of use.
+/// Positions of the cells after a fraction of the path; the entries of other blocks are not used.
 std::vector<BlockMotion> cellsAlong(const Model& model, const std::vector<BlockMotion>& from,
                                     const Eigen::VectorXd& path, double share) {
     std::vector<BlockMotion> cells(from.size());
@@ -81,12 +81,12 @@ std::vector<BlockMotion> cellsAlong(const Model& model, const std::vector<BlockM
 
 class GlueLinks {
 public:
-    /// \param line where the edge is with the cells at `a` and `b`.
+    /// \param line position of the edge with the cells at `a` and `b`.
     GlueLinks(const GlueModel& glue, const BlockMotion& a, const BlockMotion& b, const GlueLine& line, int owner,
               StepProblem& problem)
         : glue_(glue), a_(a), b_(b), line_(line), owner_(owner), problem_(problem) {}
 
-    /// \param strains at the start of the step, from which they count.
+    /// \param strains at the start of the step.
     void add(const std::array<double, 3>& strains, const std::array<double, 3>& offsets) {
         const auto ta = displacementMatrix(a_, line_.middle), tb = displacementMatrix(b_, line_.middle);
         link(0, strains, glue_.normal, offsets, -ta.transpose() * line_.across, tb.transpose() * line_.across);
@@ -125,7 +125,7 @@ private:
 
 bool carries(const Model& model, const State& state, const GlueModel& glue) {
     if (model.blocks[glue.a].fixed && model.blocks[glue.b].fixed) return false;
-    return !state.blocks[glue.a].absent;  // with all cells of its block
+    return !state.blocks[glue.a].absent;  // cells of a block are present or absent together
 }
 
 void addGlueLinks(const StepInput& input, StepProblem& problem) {

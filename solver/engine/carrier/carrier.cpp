@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double stuckShare = 1e-12;  // of the limit: round-off of a force that reaches it
+constexpr double stuckShare = 1e-12;  // of the limit: allows for round-off of a force that reaches it
 
 }  // namespace
 

@@ -10,19 +10,19 @@ namespace {
 
 constexpr double sameCorner = 10.0;  // times the geometric tolerance
 
-/// Where the contact's corner was in the scene as it was given [m].
+/// Initial position of the contact's corner [m].
 Point startOf(const Model& model, const Contact& c) {
     const BlockModel& block = model.blocks[c.blockA];
     return block.centroid + block.shape[static_cast<std::size_t>(c.corner)];
 }
 
-/// A bond of one block to another.
+/// A bond between two blocks at a point.
 struct Bond {
     int block = -1, other = -1;
-    Point place{0.0, 0.0};  // at the start [m]
+    Point place{0.0, 0.0};  // initial position [m]
 };
 
-/// The bonds of every block, block by block, with those of cells to their neighbours; none without a bonded contact.
+/// The bonds of all blocks, sorted by block, including those between glued cells. Empty if no contact is bonded.
 std::vector<Bond> bondsOf(const Model& model, const std::vector<Contact>& contacts) {
     std::vector<Bond> bonds;
     const auto add = [&](int a, int b, const Point& place) {
@@ -41,7 +41,7 @@ std::vector<Bond> bondsOf(const Model& model, const std::vector<Contact>& contac
     return bonds;
 }
 
-/// From block to block by bonds at the place of `c`: does one come from A to B?
+/// True if a chain of bonds at the corner of `c` leads from block A to block B.
 bool heldRound(const Model& model, const std::vector<Bond>& bonds, const Contact& c) {
     const Point place = startOf(model, c);
     std::vector<int> reached{c.blockA};

@@ -14,9 +14,9 @@ namespace keyblock {
 namespace {
 
 constexpr double samePlace = 10.0;  // times the geometric tolerance
-constexpr double leastArm = 0.25;  // of a cell's size: slivers may have their centroid near the face
+constexpr double leastArm = 0.25;  // of a cell's size: the centroid of a sliver may be close to the face
 
-/// The contact at the other end of a joined face. \pre it is there: bonded contacts are never dropped.
+/// The contact at the other end of a joined face. \pre The contact exists, because bonded contacts are never dropped.
 const Contact& otherEnd(const std::vector<Contact>& contacts, const Contact& c) {
     Contact key;
     key.blockA = c.face.other[0], key.corner = c.face.other[1];
@@ -28,14 +28,14 @@ Contact& otherEnd(std::vector<Contact>& contacts, const Contact& c) {
     return const_cast<Contact&>(otherEnd(std::as_const(contacts), c));
 }
 
-/// Young's modulus of a bar in plane strain, or in plane stress, whichever the elasticity is for [Pa].
+/// Modulus of a bar under axial stress, in plane strain or plane stress according to the elasticity [Pa].
 double barModulus(const BlockModel& block) {
     const Eigen::Matrix3d& elasticity = block.elasticity;
     return elasticity(0, 0) - elasticity(0, 1) * elasticity(1, 0) / elasticity(1, 1);
 }
 
-/// How far rock of the cell gives way under a unit traction on the face at `place`; a whole block has its own
-/// strains and no part in it [m/Pa].
+/// Displacement of the face at `place` under unit traction due to the deformation of the cell [m/Pa]. It is zero for a
+/// whole block, which has its own strains.
 double flexibility(const Model& model, const std::vector<BlockMotion>& blocks, int row, const Point& place,
                    const Point& outward) {
     const BlockModel& block = model.blocks[row];
@@ -44,8 +44,9 @@ double flexibility(const Model& model, const std::vector<BlockMotion>& blocks, i
     return std::max(arm, leastArm * block.size) / barModulus(block);
 }
 
-/// Distance of the two places from the middle of the face, over half its length, at which two springs of the contact's
-/// stiffness turn as the cells and the joint do; at most that of a traction that is linear along the face.
+/// Distance of two points from the middle of the face, over half the length of the face, such that two springs with the
+/// contact's stiffness resist rotation as the cells and the joint do. It is at most the value for a traction that
+/// varies linearly along the face.
 double spreadOf(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
     const Point& corner = blocks[c.blockA].corners[c.corner];
@@ -53,11 +54,11 @@ double spreadOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     const double way = flexibility(model, blocks, c.blockA, corner, edge.outward) +
                        flexibility(model, blocks, c.blockB, corner, edge.outward) +
                        (joint.normalStiffness ? 1.0 / *joint.normalStiffness : 0.0);
-    const double springs = contactSprings(model, c).normal * way;  // a unit of it: as stiff as rock and joint
+    const double springs = contactSprings(model, c).normal * way;  // [m²], for comparison with length · thickness
     return std::sqrt(std::min(1.0, c.length * model.thickness / springs) / 3.0);
 }
 
-/// The neighbour of the contact's corner on the face that leads to `far`; −1 where none does.
+/// The neighbour of the contact's corner along the face towards `far`; −1 if there is none.
 int neighbourTowards(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c, const Point& far) {
     const std::vector<int>& turns = model.blocks[c.blockA].turns;
     const std::vector<Point>& corners = blocks[c.blockA].corners;
@@ -79,7 +80,7 @@ bool onOneFace(const Model& model, const std::vector<BlockMotion>& blocks, const
     return std::abs(edgeOf(blocks[x.blockB].corners, x.edge).outward.dot(way)) <= angleSlack * distance;
 }
 
-/// Carries these where the blocks are.
+/// Locks the contact so that it carries these forces at the present positions of the blocks.
 void carry(const Model& model, const std::vector<BlockMotion>& blocks, Contact& c, const ContactForces& forces) {
     c.lockPlace = placeOnEdge(blocks, c);
     carryNormal(model, c, gapOf(blocks, c), forces.normal);
@@ -92,7 +93,7 @@ double energyOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     return contactEnergy(model, blocks, x) + contactEnergy(model, blocks, y);
 }
 
-/// \return the elastic energy that this takes away [J].
+/// Joins the two ends of a bonded face. \return the elastic energy that is lost [J].
 double join(const Model& model, const std::vector<BlockMotion>& blocks, Contact& x, Contact& y) {
     const Point atX = blocks[x.blockA].corners[x.corner], atY = blocks[y.blockA].corners[y.corner];
     const int towardY = neighbourTowards(model, blocks, x, atY), towardX = neighbourTowards(model, blocks, y, atX);

@@ -11,19 +11,19 @@
 namespace keyblock {
 namespace {
 
-constexpr double slackShare = 1e-5;  // of the smaller block
-constexpr double deepest = 0.25;  // of the block's size: deeper is no contact with this edge
-constexpr double sliver = -0.9;  // cosine between the outward normals of a sliver's two long sides, at most
+constexpr double slackShare = 1e-5;  // of the smaller block's size
+constexpr double deepest = 0.25;  // of the block's size: a deeper corner is not in contact with this edge
+constexpr double sliver = -0.9;  // largest cosine between the outward normals of a sliver's two long sides
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// An edge that a corner is in front of, now or on its path.
+/// An edge that a corner is in front of, at present or along its path.
 struct Faced {
-    int turn = -1;  // row of the block's `turns` at which the edge begins
-    double gap = 0.0, along = 0.0;  // now [m]
-    double gapEnd = 0.0;  // after the path [m]
+    int turn = -1;  // index in the block's `turns` at which the edge begins
+    double gap = 0.0, along = 0.0;  // at present [m]
+    double gapEnd = 0.0;  // at the end of the path [m]
     Edge edge;
 
-    /// Share of the path at which the corner passes the edge's line; 0 where it is behind already.
+    /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
     double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
 };
 
@@ -31,8 +31,8 @@ Point driftAt(const BlockMotion& block, const Drift& drift, const Point& p) {
     return drift.shift + drift.turn * turnLeft(p - block.centroid);
 }
 
-/// The neighbours of a corner in front of an edge lie on the outer side of the edge.
-/// Where an edge of the corner is glued to the next cell, the face goes straight on there.
+/// True if the corner can be in front of the edge: its neighbours lie on the outer side of the edge. Where an edge of
+/// the corner is glued to the next cell, the face continues straight there.
 bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner, int corner, const Edge& edge) {
     const int n = static_cast<int>(corners.size()), before = (corner + n - 1) % n;
     const Point& p = corners[corner];
@@ -45,7 +45,7 @@ bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner
     return true;
 }
 
-/// The two edges lie on each other's outer side: sides of a notch.
+/// True if each edge lies on the outer side of the other, like the sides of a notch.
 bool faceEachOther(const Edge& first, const Edge& second) {
     const auto before = [](const Edge& edge, const Edge& other) {
         return edge.outward.dot(other.start + 0.5 * other.length * other.along - edge.start) > 0.0;
@@ -53,7 +53,8 @@ bool faceEachOther(const Edge& first, const Edge& second) {
     return before(first, second) && before(second, first);
 }
 
-/// The corner is on the other side of a sliver, whose thickness is no penetration by this edge.
+/// True if the corner is on the far side of a sliver; the thickness of the sliver is then not a penetration of this
+/// edge.
 bool isBehindSliver(const std::vector<Edge>& sides, const Edge& edge, const Point& p, double over) {
     for (const Edge& side : sides) {
         const Point from = p - side.start;
@@ -65,7 +66,8 @@ bool isBehindSliver(const std::vector<Edge>& sides, const Edge& edge, const Poin
     return false;
 }
 
-/// The edges that a corner is in front of. \param byPath true where another path, of up to the margin, may face others
+/// The edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the corner
+/// may be in front of other edges.
 std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
     const std::vector<Point>& own = search.blocks[a].corners;
     const std::vector<Point>& other = search.blocks[b].corners;
@@ -78,7 +80,7 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
     for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
         const std::vector<char>& inner = search.model.blocks[b].inner;
         const auto first = static_cast<std::size_t>(search.model.blocks[b].turns[static_cast<std::size_t>(turn)]);
-        if (!inner.empty() && inner[first]) continue;  // no face: glued to the next cell
+        if (!inner.empty() && inner[first]) continue;  // not a face: glued to the next cell
         const Edge& edge = outline.runs[static_cast<std::size_t>(turn)];
         const Point from = p - edge.start;
         const double gap = edge.outward.dot(from), along = edge.along.dot(from);
@@ -87,7 +89,8 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         const bool faces = std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
         if (!faces && (along < -room || along > edge.length + room)) continue;
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
-        // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
+        // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
+        // above the slab.
         if (gap < -over && locate(other, p, over) == Side::Outside) continue;
         if (gap < -over && isBehindSliver(outline.runs, edge, p, over)) continue;
         byPath = byPath || along < -over || along > edge.length + over;
@@ -96,13 +99,13 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
     return faced;
 }
 
-/// By which of two edges that bulge a corner comes in.
+/// Decides through which of two edges at a convex corner of block B the corner of block A enters.
 class Entrance {
 public:
     Entrance(const CandidateSearch& search, int a, int corner, int b)
         : search_(search), a_(a), corner_(corner), b_(b), over_(search.slack(a, b)) {}
 
-    /// True where the corner comes in by `x` rather than by `y`.
+    /// True if the corner enters through `x` rather than through `y`.
     bool by(const Faced& x, const Faced& y) const {
         if (const bool flushX = goesOn(x); flushX != goesOn(y)) return flushX;
         const double tx = x.crossing(), ty = y.crossing();
@@ -117,7 +120,8 @@ public:
         return std::tuple(-x.gapEnd, x.turn) < std::tuple(-y.gapEnd, y.turn);
     }
 
-    /// The corner, or the corner of B at the edge's near end, already rests on something flush with this edge.
+    /// True if the corner, or the corner of B at the near end of the edge, already rests on something flush with this
+    /// edge.
     bool goesOn(const Faced& f) const {
         if (std::abs(f.gap) > over_) return false;
         const std::vector<int>& turns = search_.model.blocks[b_].turns;
@@ -127,7 +131,7 @@ public:
                search_.standings.holdsUp(b_, end, -f.edge.outward);
     }
 
-    /// An edge at whose end the corner only grazes the flush face round it.
+    /// True if the corner only grazes the end of this edge and rests on the flush face next to it.
     bool grazes(const Faced& f) const {
         if (std::min(f.gap, f.gapEnd) >= -search_.model.tolerance) return false;
         const std::vector<int>& turns = search_.model.blocks[b_].turns;

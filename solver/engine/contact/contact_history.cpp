@@ -15,14 +15,14 @@ namespace keyblock {
 namespace {
 
 constexpr double touching = 10.0;  // times the geometric tolerance
-constexpr double leastLength = 1e-3;  // of the smaller block: a joint's stiffness acts on at least so much
-constexpr double nearShare = 1e-4;  // of the smaller block: so near the end of its edge a contact may have slid off it
-constexpr double sameWay = 0.7;  // cosine between the normals of a contact and of the one that takes its place
+constexpr double leastLength = 1e-3;  // of the smaller block's size: minimum length on which a joint's stiffness acts
+constexpr double nearShare = 1e-4;  // of the block's size: this near the end of its edge, a contact may have slid off
+constexpr double sameWay = 0.7;  // minimum cosine between the normals of a contact and the one that replaces it
 
-/// What a corner's own faces share with an edge.
+/// The length that the faces at a corner share with an edge.
 struct SharedFace {
     bool meets = false;  // a face of the corner lies along the edge
-    double length = 0.0;  // of joint tributary to the corner: half of what is shared [m]
+    double length = 0.0;  // of joint tributary to the corner: half the shared length [m]
 };
 
 SharedFace sharedFace(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
@@ -48,21 +48,21 @@ SharedFace sharedFace(const Model& model, const std::vector<BlockMotion>& blocks
 
 bool hasStiffness(const JointModel& joint) { return joint.normalStiffness || joint.shearStiffness; }
 
-/// A joint with a stiffness of its own, where faces meet: its force follows from gap and length alone, and both are
-/// continuous where one contact takes another's place.
+/// True if the joint has its own stiffness and faces meet. The force then follows from gap and length alone, and both
+/// are continuous when one contact replaces another.
 bool givesItself(const Model& model, const Contact& c) {
     return model.joints[c.joint].normalStiffness && c.length > 0.0;
 }
 
-/// Length for the stiffness of a joint; 0 where no faces meet and there is no joint to give way.
+/// Length on which the joint's stiffness acts; 0 if no faces meet, since there is then no joint that could deform.
 double stiffLength(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
     const SharedFace shared = sharedFace(model, blocks, c);
     const double least = leastLength * std::min(model.blocks[c.blockA].size, model.blocks[c.blockB].size);
     return shared.meets ? std::max(shared.length, least) : 0.0;
 }
 
-/// The joint's stiffness follows the length on which faces meet; where they begin or cease to meet, the force stays.
-/// \return the elastic energy that this takes away [J].
+/// Updates the length on which the joint's stiffness acts to the length on which faces meet. When faces begin or cease
+/// to meet, the force is kept. \return the elastic energy that is lost [J].
 double followLength(const Model& model, const std::vector<BlockMotion>& blocks, Contact& c) {
     if (c.bonded || !hasStiffness(model.joints[c.joint])) return 0.0;
     const double before = contactEnergy(model, blocks, c);
@@ -78,7 +78,7 @@ double followLength(const Model& model, const std::vector<BlockMotion>& blocks, 
 
 ContactForces accepted(const Contact& c) { return {c.normalForce, c.shearForce}; }
 
-/// How far a contact's corner has slid past the end of its edge; negative while it is on it [m].
+/// Distance by which the contact's corner has slid past the end of its edge; negative while it is on the edge [m].
 double pastEnd(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
     const std::vector<int>& turns = model.blocks[c.blockB].turns;
     const auto turn = std::lower_bound(turns.begin(), turns.end(), c.edge) - turns.begin();
@@ -93,7 +93,7 @@ Point pushOn(const std::vector<BlockMotion>& blocks, const Contact& c, int block
     return block == c.blockA ? outward : Point(-outward);
 }
 
-/// A block on which both push the same way; −1 where there is none.
+/// A block that both contacts push in the same direction; −1 if there is none.
 int sharedBlock(const std::vector<BlockMotion>& blocks, const Contact& x, const Contact& y) {
     for (int block : {x.blockA, x.blockB}) {
         const bool ofBoth = block == y.blockA || block == y.blockB;
@@ -102,8 +102,8 @@ int sharedBlock(const std::vector<BlockMotion>& blocks, const Contact& x, const 
     return -1;
 }
 
-/// The contact that takes the place of one that slid off: on the same side of a block, where it was; the same corner
-/// first, then the nearest. Null where there is none.
+/// The contact that replaces one that slid off its edge. It lies at the same position on the same side of a block; a
+/// contact of the same corner is preferred, then the nearest one. Null if there is none.
 Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone,
                 std::vector<Contact>& found) {
     const double past = pastEnd(model, blocks, gone);
@@ -125,13 +125,14 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     return heir;
 }
 
-/// Adds the force of `gone` to what `heir` carries: `now` where the blocks are, the accepted one to the accepted one.
+/// Transfers the forces of `gone` to `heir`: the forces `now`, at the present positions of the blocks, are added to
+/// those that it carries, and the accepted forces to its accepted forces.
 void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone, const ContactForces& now,
              Contact& heir) {
     const int shared = sharedBlock(blocks, gone, heir);
     const Edge from = edgeOf(blocks[gone.blockB].corners, gone.edge);
     const Edge to = edgeOf(blocks[heir.blockB].corners, heir.edge);
-    // the force on A is N·outward − T·along, on B the opposite
+    // the force on A is N·outward − T·along; the force on B is the opposite
     const double sign = (shared == gone.blockA ? 1.0 : -1.0) * (shared == heir.blockA ? 1.0 : -1.0);
     const auto turnedOver = [&](const ContactForces& forces) -> ContactForces {
         const Point force = sign * (forces.normal * from.outward - forces.shear * from.along);
@@ -171,7 +172,7 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, s
         contact.bonded = holds && !isPlate(contact.blockA) && !isPlate(contact.blockB) &&
                          sharedFace(model, blocks, contact).length > model.tolerance;
     } else if (!first && contact.gap < 0.0 && !givesItself(model, contact)) {
-        // found inside: it starts without force, else it would bring energy
+        // found with an overlap: it starts without force, otherwise it would add energy
         contact.gapOffset = contact.gap;
     }
     return 0.0;
@@ -196,11 +197,11 @@ double handOver(const Model& model, const std::vector<BlockMotion>& blocks, cons
         Contact* heir = heirOf(model, blocks, old, found);
         const bool known =
             heir && (sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end());
-        // met and left on the way to an equilibrium: what stands beside it carries the force from here on
+        // closed and opened again on the way to an equilibrium: its neighbour carries the force from now on
         if (known && underWay && old.normalForce <= 0.0) continue;
         lost += contactEnergy(model, blocks, old);
         if (!heir) continue;
-        if (known) lost += contactEnergy(model, blocks, *heir);  // a contact that hands over to itself had none accounted for
+        if (known) lost += contactEnergy(model, blocks, *heir);  // the energy of a new contact was not accounted for
         else heirs.push_back(heir);
         inherit(model, blocks, old, now, *heir);
         lost -= contactEnergy(model, blocks, *heir);

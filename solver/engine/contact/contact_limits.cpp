@@ -11,15 +11,15 @@
 namespace keyblock {
 namespace {
 
-constexpr double leastFriction = 1e-12;  // of E · size · thickness: less is round-off
+constexpr double leastFriction = 1e-12;  // of E · size · thickness: smaller forces are round-off
 constexpr double leastTension = 1e-6;  // of the cohesive strength, for joints without tensile strength
 
-/// \param compression at the contact's end of its face [N].
+/// Tension over tensile strength. \param compression force at the contact's end of its face [N].
 double tensionRatio(const Model& model, const Contact& c, double compression) {
     const JointModel& joint = model.joints[c.joint];
     const double face = c.length * model.thickness;
     const double strength = std::max(joint.tensileStrength, leastTension * joint.cohesion) * face;
-    if (strength <= 0.0) return compression < 0.0 ? 1.0 / leastTension : 0.0;  // taken away by a stage
+    if (strength <= 0.0) return compression < 0.0 ? 1.0 / leastTension : 0.0;  // the strength was removed by a stage
     return std::max(0.0, -compression) / strength;
 }
 
@@ -30,7 +30,8 @@ double shearRatio(const Model& model, const Contact& c, double compression) {
     return strength > 0.0 ? std::abs(c.shearForce) / strength : (c.shearForce == 0.0 ? 0.0 : 1.0 / leastTension);
 }
 
-/// Friction that has a residual angle to fall to, under a force that is more than round-off.
+/// True if the contact still has its peak friction, which is higher than the residual friction, and its force is more
+/// than round-off.
 bool holdsPeak(const Model& model, const Contact& c) {
     const JointModel& joint = model.joints[c.joint];
     if (c.bonded || c.slipped || joint.tanResidual >= joint.tanPhi) return false;
@@ -39,13 +40,14 @@ bool holdsPeak(const Model& model, const Contact& c) {
     return c.normalForce * joint.tanPhi > leastFriction * modulus * size * model.thickness;
 }
 
-/// What the contact would carry had it not slid in its last step, over the peak: 1 where sliding begins.
+/// Shear force that the contact would carry if it had not slid in its last step, over the peak strength; 1 when sliding
+/// begins.
 double peakRatio(const Model& model, const Contact& c) {
     return (std::abs(c.shearForce) + contactSprings(model, c).shear * std::abs(c.slid)) /
            (c.normalForce * model.joints[c.joint].tanPhi);
 }
 
-/// Friction falls to what is left of it; the joint carries that where the blocks are.
+/// Friction drops to its residual value, which the joint then carries at the present positions of the blocks.
 void dropFriction(const Model& model, State& state, Contact& c) {
     c.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
     const double kept = std::clamp(c.shearForce, -c.limit, c.limit);

@@ -20,7 +20,8 @@ int weakerJoint(const Model& model, int x, int y) {
     return strength(y) < strength(x) ? y : x;
 }
 
-/// Edges of the corner's block beside it that lie along the contact's edge and face it; both where none does.
+/// The edges at the contact's corner that lie along the contact's edge and face it; both edges at the corner if neither
+/// does.
 std::array<int, 2> edgesAtCorner(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c,
                                  bool& meets) {
     const std::vector<Point>& corners = blocks[c.blockA].corners;

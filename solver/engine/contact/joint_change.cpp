@@ -22,7 +22,7 @@ void change(JointMaterial& material, const StrengthChange& to) {
 
 bool bonds(const JointModel& joint) { return joint.cohesion > 0.0 || joint.tensileStrength > 0.0; }
 
-/// Friction alone bears what the contact carries.
+/// True if friction alone can carry the forces of the contact.
 bool frictionBears(const JointModel& joint, const Contact& c) {
     const double friction = c.slipped ? joint.tanResidual : joint.tanPhi;
     return c.normalForce >= 0.0 && std::abs(c.shearForce) <= c.normalForce * friction;
@@ -30,17 +30,18 @@ bool frictionBears(const JointModel& joint, const Contact& c) {
 
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
-/// Grout holds on the length on which the faces meet now, wherever they met when the contact was found; no plate.
+/// Bonds a contact with grout over the length on which its faces meet now, wherever they met when the contact was
+/// found. Plates are not bonded.
 void bond(const Model& model, const State& state, Contact& c) {
     const bool plate = model.blocks[c.blockA].plateOf >= 0 || model.blocks[c.blockB].plateOf >= 0;
     const double length = lengthOfJoint(model, state.blocks, c);
     if (plate || length <= 0.0 || !touches(model, c)) return;
     const JointModel& joint = model.joints[c.joint];
-    if (!joint.normalStiffness && !joint.shearStiffness) c.length = length;  // else it follows already
+    if (!joint.normalStiffness && !joint.shearStiffness) c.length = length;  // otherwise the length is already set
     c.bonded = true;
 }
 
-/// Which rows of Model::joints had cohesion or tensile strength at some time before `stage`.
+/// Marks the rows of Model::joints that had cohesion or tensile strength at any time before `stage`.
 std::vector<char> everBonded(const Scene& scene, int stage) {
     std::vector<char> ever(jointRows(scene.jointMaterials).size(), 0);
     for (int before = -1; before < stage; ++before) {

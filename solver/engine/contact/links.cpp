@@ -14,10 +14,11 @@
 namespace keyblock {
 namespace {
 
-constexpr double leastForce = 1e-12;  // of E · size · thickness: less is round-off
+constexpr double leastForce = 1e-12;  // of E · size · thickness: smaller forces are round-off
 
-/// Blocks in the middle of the step that they make or, as far as that is not known, would make at the speed they have;
-/// as rigid bodies: strain rates may ring from step to step and predict nothing.
+/// The blocks in the middle of the step. They follow the path of the step or, where it is not known, continue at their
+/// present velocity. They move as rigid bodies, because strain rates may oscillate from step to step and predict
+/// nothing.
 std::vector<BlockMotion> halfway(const Model& model, const State& state, double ahead, const Eigen::VectorXd* path) {
     std::vector<BlockMotion> blocks = state.blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -74,13 +75,13 @@ private:
     const Model& model_;
     const State& state_;
     const std::vector<BlockMotion>& halfway_;
-    std::vector<BlockFrame> frames_;  // of the blocks halfway
+    std::vector<BlockFrame> frames_;  // of the blocks in the middle of the step
     bool frictionLocked_;
     StepProblem& problem_;
 };
 
-/// How far ahead contacts are set up: to the middle of a step whose displacement is that at its middle speed, so that
-/// two bodies in flight keep their angular momentum (theory, "Contacts") [s].
+/// How far ahead contacts are set up [s]: to the middle of the step for schemes whose displacement follows from the
+/// velocity at mid-step, so that two bodies in flight keep their angular momentum (theory, "Contacts").
 double lookAhead(const StepOptions& options) {
     switch (options.inertia) {
         case Inertia::Shi:
@@ -111,13 +112,13 @@ void accept(const Model&, State& state, const SolvedLink& solved) {
     if (link.law.kind == LawKind::Capped) c.limit = link.law.limit;
 }
 
-/// A contact that slid is locked where it is now, under the force it carries; one that stuck stays locked where it was.
-/// \return how far it slid [m].
+/// A contact that slid is locked at its present position under the force that it carries; one that stuck stays locked
+/// where it was. \return the distance by which it slid [m].
 double relockSlip(const Model& model, const State& state, const Link& link, double force, Contact& c) {
     c.slid = 0.0;
     const double slip = slipOf(state.blocks, c);
     if (!reachesLimit(link.law, force)) {
-        // on the arc that its corner went it may be past a limit that it never reached
+        // its corner moves on an arc, so it may be past a limit that its force never reached
         const double onArc = link.law.stiffness * (slip - link.law.offset);
         if (!link.law.rigid && std::abs(onArc) > link.law.limit) carryShear(model, c, slip, force);
         return 0.0;
@@ -140,7 +141,7 @@ void finish(State& state) {
     for (Contact& c : state.contacts) {
         c.position = state.blocks[c.blockA].corners[c.corner];
         c.gap = gapOf(state.blocks, c);
-        if (c.normalForce <= 0.0 && !c.bonded) c.normalMultiplier = 0.0;  // open: it starts from zero when it closes
+        if (c.normalForce <= 0.0 && !c.bonded) c.normalMultiplier = 0.0;  // open: starts at zero when it closes again
     }
 }
 
@@ -152,14 +153,16 @@ WallForce onBlock(const State& state, int block, const Point& at, const Point& f
     return wall;
 }
 
-/// Forces at the level of coordinate round-off; applied as external forces they would push loose blocks for ever.
+/// True for forces at the level of coordinate round-off. Applied as external forces, they would push loose blocks for
+/// ever.
 bool isRoundOff(const Model& model, const Contact& c) {
     const BlockModel &a = model.blocks[c.blockA], &b = model.blocks[c.blockB];
     const double least = leastForce * std::min(a.youngsModulus, b.youngsModulus) * std::min(a.size, b.size);
     return std::hypot(c.normalForce, c.shearForce) <= least * model.thickness;
 }
 
-/// Of contacts between excavated and remaining rock: on A it is N·outward − T·along, on B the opposite.
+/// Forces of contacts between excavated and remaining rock. The force on A is N·outward − T·along; the force on B is
+/// the opposite.
 void addWallForces(const Model& model, const State& state, const std::vector<char>& excavated,
                    std::vector<WallForce>& walls) {
     for (const Contact& c : state.contacts) {

@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double allowedShare = 1e-9;  // of the smaller block: penetration and elastic slip that are left
+constexpr double allowedShare = 1e-9;  // of the smaller block's size: accepted penetration and elastic slip
 
 /// Calls `visit(link, contact, strain, force)` for the links of contacts that have multipliers.
 template <typename Problem, typename States, typename Visit>

@@ -49,7 +49,7 @@ std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b,
     return found;
 }
 
-/// The same on another path.
+/// Finds the candidates again for another path.
 std::vector<Contact> candidatesAgain(const CandidateSearch& search, const std::vector<FoundCorners::Corner>& corners) {
     std::vector<Contact> found;
     for (const FoundCorners::Corner& c : corners) {
@@ -59,8 +59,8 @@ std::vector<Contact> candidatesAgain(const CandidateSearch& search, const std::v
     return found;
 }
 
-/// Two corners at one place, each on an edge that ends at the other. Between faces that meet, only how far apart they
-/// are along them counts: across, they may stand open or, in a soft joint, lie well inside each other.
+/// True if two corners are at the same position, each on an edge that ends at the other. Between faces that meet, only
+/// their distance along the faces counts; normal to the faces they may be apart or, in a soft joint, overlap deeply.
 bool sameCorners(const CandidateSearch& search, const Contact& x, const Contact& y) {
     if (x.blockA != y.blockB) return false;
     const Point &px = search.blocks[x.blockA].corners[x.corner], &py = search.blocks[y.blockA].corners[y.corner];
@@ -79,7 +79,7 @@ void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
         for (std::size_t j = i + 1; j < found.size(); ++j) {
             if (drop[i] || drop[j] || !sameCorners(search, found[i], found[j])) continue;
             const bool oldI = sameContact(search.before, found[i]), oldJ = sameContact(search.before, found[j]);
-            if (oldI && oldJ) continue;  // both carry: each goes its way
+            if (oldI && oldJ) continue;  // both existed before: keep both
             const bool keepI = oldI != oldJ ? oldI : found[i].gap <= found[j].gap + search.model.tolerance;
             drop[keepI ? j : i] = 1;
         }
@@ -108,20 +108,20 @@ std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
     return contacts;
 }
 
-/// Whether all near corners move by no more than the margin to each other's blocks.
+/// Whether no corner moves by more than the margin relative to the blocks near it.
 bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift,
                double margin) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (drift[i].turn == 0.0 && 2.0 * drift[i].shift.norm() <= margin) continue;
         double reach = 0.0;
         for (const Point& corner : blocks[i].corners) reach = std::max(reach, (corner - blocks[i].centroid).norm());
-        reach += model.blocks[i].size + 2.0 * margin;  // a corner near an edge of this block, or past its end
+        reach += model.blocks[i].size + 2.0 * margin;  // includes corners near an edge of this block or past its end
         if (2.0 * (drift[i].shift.norm() + std::abs(drift[i].turn) * reach) > margin) return false;
     }
     return true;
 }
 
-/// The contacts on another path from where the blocks are, as a search would find them. Those of `before` are copies.
+/// The contacts that a search from the present positions would find for another path. Those in `before` are copied.
 std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
                                 const std::vector<Contact>& before, const FoundCorners& corners,
                                 const std::vector<Drift>& drift) {
@@ -155,7 +155,7 @@ bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& dr
     return edge.outward.dot(from) < c.gapOffset - tolerance;
 }
 
-/// Whether no contact of a sorted list that closes on the path is missing in another.
+/// Whether every contact of a sorted list that closes on the path is also in the other list.
 bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
                   const std::vector<Contact>& contacts, const std::vector<Contact>& others) {
     auto next = others.begin();
@@ -166,7 +166,7 @@ bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drif
     });
 }
 
-/// Whether no contact of one list that closes on the path is missing in the other.
+/// Whether both lists have the same contacts among those that close on the path.
 bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
                    const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
     return hasEntrances(blocks, drift, tolerance, now, contacts) && hasEntrances(blocks, drift, tolerance, contacts, now);
