@@ -8,16 +8,16 @@
 namespace keyblock {
 namespace {
 
-constexpr double flattestPiece = 1e-7;  // of the first slope
+constexpr double flattestPiece = 1e-7;  // minimum slope of a piece, over the first slope
 
-/// Piece of the yield curve that starts at or before `accumulated`.
+/// The piece of the yield curve that starts at or before `accumulated`.
 std::size_t pieceAt(const Backbone& b, double accumulated) {
     const auto after = std::upper_bound(b.plastic.begin(), b.plastic.end(), accumulated);
     const auto piece = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - b.plastic.begin() - 1));
     return std::min(piece, b.plastic.size() - 1);
 }
 
-/// Slope of the yield force over the plastic strain on a piece; past the last point the flattest.
+/// Slope of the yield force over the plastic strain on a piece; past the last point, the minimum slope.
 double hardening(const Backbone& b, std::size_t piece) {
     if (piece + 1 >= b.plastic.size()) return flattestPiece * b.modulus;
     return (b.force[piece + 1] - b.force[piece]) / (b.plastic[piece + 1] - b.plastic[piece]);

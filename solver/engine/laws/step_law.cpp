@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-/// Mean of max(low, min(x, high)) for x from `a` to `b`, summed over its straight pieces so that nothing cancels.
+/// Mean of max(low, min(x, high)) for x from `a` to `b`, summed over its linear pieces to avoid cancellation.
 double clippedMean(double a, double b, double low, double high) {
     const double from = std::min(a, b), to = std::max(a, b);
     const double inFrom = std::clamp(from, low, high), inTo = std::clamp(to, low, high);
@@ -19,7 +19,7 @@ double clippedMean(double a, double b, double low, double high) {
     return sum / (to - from);
 }
 
-/// A force that is clipped to [low, high] on its way from trial `a` to trial `b`.
+/// Average of a force that is clipped to [low, high] while its trial value goes from `a` to `b`.
 LawResponse clippedAverage(double a, double b, double low, double high, double stiffness) {
     const bool inside = std::min(a, b) >= low && std::max(a, b) <= high;
     if (inside) return {0.5 * (a + b), 0.5 * stiffness};
@@ -73,7 +73,7 @@ PathWork pathWork(const Law& law, const PathStart& start, double after) {
     const double end = respond(law, after).force, way = after - start.strain;
     PathWork path{end, 0.0};
     double used = usedWork(law, start.force, end, start.strain, after);
-    double first = start.force;  // that acts as the path begins
+    double first = start.force;  // the force at the start of the path
     if (law.kind == LawKind::Capped && law.stiffness > 0.0) {
         if (!law.rigid) first = std::clamp(start.force, -start.limit, start.limit);
         const double sign = end < 0.0 ? -1.0 : 1.0;
@@ -81,11 +81,11 @@ PathWork pathWork(const Law& law, const PathStart& start, double after) {
         const double room = start.limit - sign * start.force;
         const double closes = (trial - sign * start.force) - (law.limit - start.limit);
         const bool atOnce = law.rigid || room <= 0.0;
-        const double onset = atOnce ? 0.0 : closes > room ? room / closes : 1.0;  // share of the way
+        const double onset = atOnce ? 0.0 : closes > room ? room / closes : 1.0;  // fraction of the path
         const bool slides = law.rigid ? std::abs(end) >= law.limit : trial > law.limit;
         if (slides) path.slipForce = sign * (law.limit + 0.5 * (1.0 - onset) * (start.limit - law.limit));
         used = law.rigid ? (slides ? path.slipForce * way : 0.0)
-                         : path.slipForce * ((after - end / law.stiffness) - law.offset);  // as the lock moves
+                         : path.slipForce * ((after - end / law.stiffness) - law.offset);  // as the zero point moves
     }
     const double stored = storedEnergy(law, end) - storedEnergy(law, start.force);
     path.surplus = law.share * (0.5 * (first + end) * way - stored - used);

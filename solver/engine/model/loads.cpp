@@ -61,7 +61,7 @@ void addGravity(const Model& model, const State& state, const Point& gravity, Fo
     }
 }
 
-/// \param motion of the block where the force acts.
+/// \param motion position of the block at which the force acts.
 SingleLoad onBlock(ForceSource source, int block, const BlockMotion& motion, const Point& place, const Point& force) {
     return {source, block, -1, place - motion.centroid, force, displacementMatrix(motion, place).transpose() * force};
 }

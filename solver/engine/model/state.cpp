@@ -13,12 +13,12 @@ Eigen::Matrix2d rotation(double angle) {
     return (Eigen::Matrix2d() << c, -s, s, c).finished();
 }
 
-/// I + ε
+/// I + ε, with the strain ε.
 Eigen::Matrix2d stretch(const BlockMotion& m) {
     return (Eigen::Matrix2d() << 1.0 + m.strain[0], 0.5 * m.strain[2], 0.5 * m.strain[2], 1.0 + m.strain[1]).finished();
 }
 
-/// R(θ)·(I + ε): takes a place of the block's first shape to where it is, from the centroid.
+/// R(θ)·(I + ε): maps a vector from the centroid in the block's initial shape to the present shape.
 Eigen::Matrix2d deformation(const BlockMotion& m) { return rotation(m.angle) * stretch(m); }
 
 }  // namespace
@@ -44,7 +44,7 @@ BlockFrame frameOf(const BlockMotion& motion) {
 
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockFrame& frame, const Point& x) {
     const Point d = x - frame.centroid;
-    const Point own = frame.toFirstShape * d;  // strains stretch the first shape
+    const Point own = frame.toFirstShape * d;  // strains refer to the initial shape
     Eigen::Matrix<double, 2, 6> t;
     t.col(0) = frame.axis;
     t.col(1) = turnLeft(frame.axis);

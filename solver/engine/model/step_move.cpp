@@ -14,7 +14,7 @@ BlockMotion movedBy(const BlockModel& block, const BlockMotion& motion, const Ve
     return moved;
 }
 
-/// Chord over arc of a rotation [rad].
+/// Chord over arc for a rotation by `turn` [rad].
 double chordShare(double turn) { return turn == 0.0 ? 1.0 : std::sin(0.5 * turn) / (0.5 * turn); }
 
 }  // namespace

@@ -20,27 +20,27 @@ namespace keyblock {
 namespace {
 
 constexpr double touching = 10.0;  // times the geometric tolerance
-constexpr double parallel = 1e-9;  // sine of an angle
+constexpr double parallel = 1e-9;  // sine of the angle between directions that count as parallel
 
-/// Tractions of the stress in situ on faces, and their shares at the ends of a stretch.
+/// Tractions of the in-situ stress on faces, and the forces by which they act at the ends of an interval.
 class Tractions {
 public:
     Tractions(const Scene& scene, const Model& model) : scene_(scene), model_(model) {}
 
-    /// On a face of outward normal `outward` [Pa].
+    /// Traction on a face with the outward normal `outward` [Pa].
     Point at(const Point& place, const Point& outward) const {
         const Stress s = inSituStressAt(scene_, place + model_.origin);
         return {s[0] * outward.x() + s[2] * outward.y(), s[2] * outward.x() + s[1] * outward.y()};
     }
 
-    /// What the end `near` of the stretch carries, so that both ends together have the resultant, the moment and the
-    /// mean strain of the traction, which is linear along it [N].
+    /// Force at the end `near` of an interval [N]. The forces at both ends together have the resultant, the moment and
+    /// the mean strain of the traction, which is linear along the interval.
     Point endForce(const Point& near, const Point& far, const Point& outward) const {
         const double length = (far - near).norm();
         return model_.thickness * length / 6.0 * (2.0 * at(near, outward) + at(far, outward));
     }
 
-    /// A plate, or a block in an opening: it carries no in-situ stress.
+    /// True for a plate and for a block in an opening, which carry no in-situ stress.
     bool isApart(int block) const {
         const BlockModel& model = model_.blocks[block];
         return model.plateOf >= 0 || scene_.blocks[static_cast<std::size_t>(model.rock)].inOpening;
@@ -55,7 +55,7 @@ int turnAt(const BlockModel& block, int corner) {
     return static_cast<int>(std::lower_bound(block.turns.begin(), block.turns.end(), corner) - block.turns.begin());
 }
 
-/// Force on the corner's block of the faces of the corner that lie along the edge [N].
+/// Force on the corner's block from the faces at the corner that lie along the edge [N].
 Point cornerForce(const Model& model, const State& state, const Tractions& tractions, const Contact& c) {
     const BlockModel &own = model.blocks[c.blockA], &other = model.blocks[c.blockB];
     const std::vector<Point>& corners = state.blocks[c.blockA].corners;
@@ -75,7 +75,7 @@ Point cornerForce(const Model& model, const State& state, const Tractions& tract
 }
 
 void preloadContacts(const Model& model, State& state, const Tractions& tractions) {
-    for (Contact& c : state.contacts) partBondedFace(model, state.blocks, state.contacts, c);  // forces are of corners
+    for (Contact& c : state.contacts) partBondedFace(model, state.blocks, state.contacts, c);  // forces are per corner
     for (Contact& c : state.contacts) {
         const bool apart = tractions.isApart(c.blockA) || tractions.isApart(c.blockB);
         if (apart || std::abs(c.gap) > touching * model.tolerance) continue;
@@ -83,7 +83,7 @@ void preloadContacts(const Model& model, State& state, const Tractions& traction
         const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
         const double normal = edge.outward.dot(force), shear = -edge.along.dot(force);
         if (normal == 0.0 && shear == 0.0) continue;
-        if (normal <= 0.0 && !c.bonded) continue;  // an open joint bears no tension
+        if (normal <= 0.0 && !c.bonded) continue;  // an open joint carries no tension
         carryNormal(model, c, gapOf(state.blocks, c), normal);
         carryShear(model, c, slipOf(state.blocks, c), shear);
         c.normalForce = normal;
@@ -93,8 +93,8 @@ void preloadContacts(const Model& model, State& state, const Tractions& traction
     joinBondedFaces(model, state.blocks, state.contacts);
 }
 
-/// The three springs of every edge carry the traction on it, as far as they can: in both cells the part of a shear that
-/// varies along the edge and only strains them stays.
+/// Sets the three springs of every edge to carry the traction on it as far as they can. In both cells, the part of the
+/// shear that varies along the edge remains unbalanced; it only strains them.
 void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     StepProblem problem = stepForLinks(model);
     addGlueLinks(model, state, problem);
@@ -117,7 +117,7 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     }
 }
 
-/// Boxes of the rock, by which its blocks are found near an edge.
+/// Boxes of the rock blocks, for finding the blocks near an edge.
 BoxGrid rockGrid(const Model& model) {
     std::vector<Box> boxes;
     for (int block = 0; block < model.firstOf.back(); ++block)
@@ -125,7 +125,7 @@ BoxGrid rockGrid(const Model& model) {
     return BoxGrid(std::move(boxes));
 }
 
-/// Stretches of an edge that no edge of another block lies along, as shares of its length.
+/// Intervals of an edge along which no edge of another block lies, as lengths along the edge [m].
 std::vector<std::pair<double, double>> freeStretches(const Model& model, const BoxGrid& rock, int block,
                                                      const Edge& edge) {
     std::vector<std::pair<double, double>> free{{0.0, edge.length}};
@@ -150,7 +150,7 @@ std::vector<std::pair<double, double>> freeStretches(const Model& model, const B
     return free;
 }
 
-/// What the free faces that end at a point of a block give to it [N].
+/// Force on a point of a block from the free faces that end there [N].
 Point freeForce(const Model& model, const Tractions& tractions, const BoxGrid& rock, int block, const Point& place) {
     const std::vector<Point> corners = startCorners(model.blocks[block]);
     Point force{0.0, 0.0};

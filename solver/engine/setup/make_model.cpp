@@ -33,7 +33,7 @@ Eigen::Matrix3d elasticityOf(const Material& material, Plane plane) {
     return c;
 }
 
-/// ∫ρ TᵀT dA from the exact second moments (theory, "Blocks").
+/// Mass matrix ∫ρ TᵀT dA from the exact second moments (theory, "Blocks").
 Matrix6 massOf(const Moments& m, double densityTimesThickness) {
     Matrix6 mass = Matrix6::Zero();
     const auto set = [&](int i, int j, double value) { mass(i, j) = mass(j, i) = value * densityTimesThickness; };
@@ -60,10 +60,10 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
 
 Material plateMaterial(const Plate& plate) { return {plate.density, plate.youngsModulus, plate.poissonsRatio}; }
 
-/// Corners at which an outline turns by more than round-off, its edges cease to be glued, or their joint material
+/// Corners at which the outline turns by more than round-off, a glued edge meets one that is not glued, or the joint
 /// changes.
 std::vector<int> turnsOf(const BlockModel& block) {
-    constexpr double straight = 1e-9;  // sine of the angle
+    constexpr double straight = 1e-9;  // sine of the turning angle
     const std::vector<Point>& shape = block.shape;
     const std::vector<char>& inner = block.inner;
     std::vector<int> turns;
@@ -80,18 +80,18 @@ std::vector<int> turnsOf(const BlockModel& block) {
     return turns;
 }
 
-/// Row of Model::joints of an index of the scene.
+/// Row of Model::joints for a joint index of the scene.
 int jointRow(const Scene& scene, int joint) {
     const int materials = static_cast<int>(scene.jointMaterials.size());
     return joint == intactJoint ? materials + 1 : joint == builtInJoint ? materials : joint;
 }
 
-/// Row of State::openings of a joint or set by its place in the scene.
+/// Row of State::openings for a joint or joint set, given by its index in the scene.
 int openingRow(const Scene& scene, int source) {
     return source < 0 ? -1 : static_cast<int>(scene.jointMaterials.size()) + 2 + source;
 }
 
-/// The last row of State::openings that a stage asks for by the name of a joint; −1: none does.
+/// The last row of State::openings that a stage refers to by the name of a joint; −1 if there is none.
 int lastOpening(const Scene& scene) {
     int last = -1;
     for (const Stage& stage : scene.stages)
@@ -104,7 +104,7 @@ bool letsWavesOut(const Scene& scene) {
                        [](const Stage& stage) { return !stage.viscousBoundaries.empty(); });
 }
 
-/// What stages that dilate joints or let waves out need of the faces of a cut block.
+/// Sets the data of a cut block's faces that are needed for stages with dilation or viscous boundaries.
 void setFaces(const Scene& scene, const std::vector<CutFace>& faces, BlockModel& model) {
     const int last = lastOpening(scene);
     for (const CutFace& face : faces) {

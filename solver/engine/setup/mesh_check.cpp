@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double largestShare = 0.3;  // of the transfer length: a pull opens its joint 1 % too far
+constexpr double largestShare = 0.3;  // of the transfer length: a pull then opens the joint 1 % too far
 
 std::string millimetres(double metres) {
     char text[32];
@@ -28,7 +28,7 @@ bool onNode(const BoltModel& bolt, double joint, double tolerance) {
     return std::any_of(bolt.s.begin(), bolt.s.end(), [&](double s) { return std::abs(s - joint) <= tolerance; });
 }
 
-/// Longest element that crosses or touches a joint; 0 without joints.
+/// Length of the longest element that crosses or touches a joint; 0 without joints.
 double longestAtJoints(const BoltModel& bolt) {
     double longest = 0.0;
     for (const BoltElement& element : bolt.elements)
@@ -36,7 +36,7 @@ double longestAtJoints(const BoltModel& bolt) {
     return longest;
 }
 
-/// Anchors of the bolt that are named by their place and have a node there that is in no rock.
+/// Warns of anchors that are given by their position and whose node there is not in rock.
 void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
     const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);
     for (std::size_t n = 0; n < bolt.s.size(); ++n) {
@@ -55,8 +55,8 @@ void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bo
     }
 }
 
-/// Share of the transfer length √(EA/k) that an element takes up, the largest at a joint where the bond is per metre.
-/// What holds for each node has no transfer length of its own: the number of nodes is part of that law.
+/// Element length and transfer length √(EA/k) where their ratio is largest, at joints with a bond per metre. Anchors
+/// per node have no transfer length of their own, because the number of nodes is part of their law.
 struct BondMesh {
     double element = 0.0, transfer = 0.0;  // [m]
 
@@ -83,8 +83,8 @@ std::string percent(double share) {
     return text + std::string(" %");
 }
 
-/// Of an endless bar with springs at every node and a joint in the middle of an element, against the continuous bond
-/// (theory, "Divisions").
+/// Warns of elements that are too long for the bond. The errors are those of an infinite bar with springs at every node
+/// and a joint in the middle of an element, compared with a continuous bond (theory, "Divisions").
 void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
     const BondMesh mesh = bondMeshOf(bolt);
     const double x = mesh.share();
@@ -107,7 +107,8 @@ void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std
     problems.push_back(std::move(problem));
 }
 
-/// A range of anchors with a strength per node on automatic divisions: the number of nodes decides its total strength.
+/// Warns of a range of anchors with a strength per node and automatic divisions: the number of nodes then determines
+/// the total strength.
 void checkAnchorCount(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
     if (scene.bolts[index].divisions) return;
     const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);
@@ -127,7 +128,7 @@ void checkAnchorCount(const Scene& scene, std::size_t index, const BoltModel& bo
     }
 }
 
-/// Given divisions that are too long for a dowel.
+/// Warns of given divisions that are too coarse for a dowel or that put a node on a joint.
 void checkDowel(const Scene& scene, std::size_t index, const BoltModel& bolt, double tolerance,
                 std::vector<Problem>& problems) {
     if (!scene.bolts[index].divisions || !bolt.bends || !bolt.shears) return;

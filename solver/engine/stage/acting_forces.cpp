@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A link has no point of action, only the gradient of its strain by the unknowns of
-// a block. That is T(x)ᵀ·n, from which both the direction n and the point x follow,
-// but for the rotation of a step; a support knows its point.
-// So every carrier that adds links to a step is listed here, with no code of its own.
+// A link has no point of action, only the gradient of its strain with respect to the unknowns of a block. The gradient
+// is T(x)ᵀ·n, from which both the direction n and the point x follow, except for the rotation within a step. The point
+// of a support is known. So the forces of every carrier that adds links to a step are listed here, without code in the
+// carrier.
 #include "solver/engine/stage/acting_forces.h"
 
 #include "solver/engine/stage/step_build.h"
@@ -19,8 +19,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double samePlace = 1e-9;  // of a block's size
-constexpr double noDirection = 1e-12;  // the gradient of a couple
+constexpr double samePlace = 1e-9;  // of a block's size: within this distance, two positions are the same
+constexpr double noDirection = 1e-12;  // a gradient with a smaller direction is that of a couple
 
 ForceSource sourceOf(const Link& link) {
     switch (link.kind) {
@@ -35,28 +35,28 @@ ForceSource sourceOf(const Link& link) {
 
 bool ofPlateLink(LinkKind kind) { return kind == LinkKind::PlateNormal || kind == LinkKind::PlateShear; }
 
-/// Direction of the first two of a block's unknowns, in global axes.
+/// Global vector from two components along the axes of a block's unknowns.
 Point globalOf(const BlockMotion& motion, double first, double second) {
     return first * motion.axis + second * turnLeft(motion.axis);
 }
 
-/// From the centroid to the place where a gradient T(x)ᵀ·n belongs; n need be no unit vector, but not 0 [m].
+/// Arm from the centroid to the point of a gradient T(x)ᵀ·n [m]; n need not be a unit vector but must not be 0.
 Point armOf(const BlockMotion& motion, const Vector6& gradient) {
     const double length = gradient.head<2>().norm();
     const Vector6 g = gradient / length;
     const Point global = globalOf(motion, g[0], g[1]), along(std::cos(motion.angle), std::sin(motion.angle));
-    const Point n(global.dot(along), global.dot(turnLeft(along)));  // in the block's frame, as its strains are
+    const Point n(global.dot(along), global.dot(turnLeft(along)));  // in the frame of the block, like its strains
     const Point place(n.x() * (g[3] - g[4]) + 2.0 * n.y() * g[5], n.y() * (g[4] - g[3]) + 2.0 * n.x() * g[5]);
     return materialPoint(motion, place) - motion.centroid;
 }
 
-/// Lists forces; what one contact, bond, support, anchored point or plate gives at one place is one row.
+/// A list of forces; the total force of one contact, bond, support, anchored point or plate at one point is one row.
 class ForceList {
 public:
-    /// \param move of the blocks over the step, within which supports took their lever arms.
+    /// \param move of the blocks over the step; it defines the lever arms of the supports.
     ForceList(const Model& model, const State& state, const StepMove& move) : model_(model), state_(state), move_(move) {}
 
-    /// \param force generalised force on the block; its first three rows count.
+    /// \param force generalised force on the block; only its first three rows are used.
     void add(const SingleForce& part, const Vector6& force) {
         if (state_.blocks[at(part.force.block)].absent || force.head<3>().isZero(0.0)) return;
         SingleForce row = part;
@@ -66,7 +66,7 @@ public:
         forces_.push_back(row);
     }
 
-    /// Both ends of a link under `force`, its share included.
+    /// Adds the forces at both ends of a link under `force`, which includes the link's share.
     void addLink(const StepProblem& problem, const Link& link, double force) {
         addEnd(problem, link, link.a, link.b, link.ga, force);
         if (link.b >= 0) addEnd(problem, link, link.b, link.a, link.gb, force);
@@ -86,7 +86,7 @@ private:
         else if (other >= 0) part.force.other = other;
         if (ofContact(link.kind) || part.force.source == ForceSource::Glue) part.part = link.owner;
         if (part.force.source == ForceSource::Bolt && !ofPlateLink(link.kind)) part.part = other - problem.blocks;
-        SingleForce* row = part.part >= 0 ? rowFor(part) : nullptr;  // all its links act at one place
+        SingleForce* row = part.part >= 0 ? rowFor(part) : nullptr;  // all its links act at one point
         if (!row && gradient.head<2>().norm() >= noDirection)
             part.force.position = link.kind == LinkKind::Support ? armOfSupport(link)
                                                                  : armOf(state_.blocks[at(body)], gradient);
@@ -100,7 +100,7 @@ private:
         return materialPoint(motion, model_.supports[at(link.owner)].place) - motion.centroid;
     }
 
-    /// The row of the same part, if it is among the last: either end has given one or two since.
+    /// The row of the same part, if it is among the last three; since then, each end has added one or two rows.
     SingleForce* rowFor(const SingleForce& part) {
         const std::size_t looked = std::min<std::size_t>(forces_.size(), 3);
         for (std::size_t i = forces_.size(); i > forces_.size() - looked; --i)
@@ -126,10 +126,10 @@ private:
     std::vector<SingleForce> forces_;
 };
 
-/// A step with what its forces come from.
+/// A step and the data from which its forces follow.
 struct StepView {
     const Model& model;
-    const State& state;  // where it begins
+    const State& state;  // at the start of the step
     const Loads& loads;
     const LoadPoint& at;
     const StepOptions& options;
@@ -180,7 +180,7 @@ void addLinks(const StepView& view, ForceList& list) {
     }
 }
 
-/// What holds unknowns that are prescribed: minus the net force there.
+/// Reactions at prescribed unknowns: the negative of the net force there.
 void addReactions(const StepView& view, const Eigen::VectorXd& net, ForceList& list) {
     Eigen::VectorXd reaction = Eigen::VectorXd::Zero(net.size());
     for (Eigen::Index i = 0; i < net.size(); ++i)
@@ -188,7 +188,7 @@ void addReactions(const StepView& view, const Eigen::VectorXd& net, ForceList& l
     addBodyForces(view, ForceSource::Support, reaction, list);
 }
 
-/// All but inertia and damping by mass.
+/// All forces except inertia and mass-proportional damping.
 ForceList allButInertia(const StepView& view, const Eigen::VectorXd& net) {
     ForceList list(view.model, view.state, moveOf(view.options));
     addLoads(view, list);
@@ -197,7 +197,7 @@ ForceList allButInertia(const StepView& view, const Eigen::VectorXd& net) {
     return list;
 }
 
-/// Force of Rayleigh damping by mass on every unknown [N].
+/// Force of mass-proportional Rayleigh damping on every unknown [N].
 Eigen::VectorXd massDamping(const StepView& view) {
     const Combination rate = factorsOf(view.options).rate;
     const Eigen::VectorXd motion = rate.d * view.d + rate.v * velocitiesOf(view.model, view.state) +
@@ -205,7 +205,8 @@ Eigen::VectorXd massDamping(const StepView& view) {
     return -view.options.damping.mass * timesMass(view.model, motion);
 }
 
-/// Force of inertia on every unknown [N]: where a scheme weighs contacts against the rest, so is their share of it.
+/// Inertia force on every unknown [N]. If the scheme weights contact forces, it includes the difference due to the
+/// weight.
 Eigen::VectorXd inertiaOver(const StepView& view) {
     Eigen::VectorXd inertia = -inertiaForce(view.model, view.state, factorsOf(view.options), view.d);
     if (view.problem.contactShare != 1.0)
@@ -213,7 +214,7 @@ Eigen::VectorXd inertiaOver(const StepView& view) {
     return inertia;
 }
 
-/// A step of no length, with friction limits as the forces there allow.
+/// A step of zero length, with the friction limits that the forces at that moment allow.
 StepProblem standing(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                      const StepOptions& options) {
     StepProblem problem = buildStep(model, state, loads, at, options);

@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-/// Row of the plate that is a block of its own; −1: none.
+/// Row of the bolt's plate if the plate is modelled as a block; −1 otherwise.
 int plateRow(const Model& model, int bolt) {
     for (int row = model.firstOf.back(); row < static_cast<int>(model.blocks.size()); ++row)
         if (model.blocks[row].plateOf == bolt) return row;
@@ -34,7 +34,7 @@ void dropContacts(State& state) {
                   [&](const Contact& c) { return isGone(state, c.blockA) || isGone(state, c.blockB); });
 }
 
-/// Their nodes come free, without an event of being pulled out.
+/// Frees bolt nodes and plates from excavated blocks, without a pull-out event.
 void freeBolts(const Model& model, State& state) {
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         BoltMotion& bolt = state.bolts[b];
@@ -46,10 +46,10 @@ void freeBolts(const Model& model, State& state) {
     followBolts(model, state);
 }
 
-/// The line through the outer ends of the holes where they are now; its head stays at the rock.
+/// The line of a bolt through the outer ends of its holes as they are now; the head stays at the rock face.
 struct BoltLine {
     Point end{0.0, 0.0}, along{1.0, 0.0};  // a point of the bolt, and its direction
-    double s = 0.0;  // of that point from the far end [m]
+    double s = 0.0;  // distance of that point from the far end [m]
 
     Point at(double place) const { return end + (place - s) * along; }
 };
@@ -66,7 +66,7 @@ BoltLine lineNow(const BoltModel& bolt, const State& state) {
     return line;
 }
 
-/// The plate that is a block excavated with the face that it lies against.
+/// Places a plate that is modelled as a block against its rock face, at the present position of the face.
 void placePlate(const Model& model, State& state, int row) {
     const BlockModel& plate = model.blocks[row];
     const int rock = rowHolding(model, plate.rock, plate.centroid);
@@ -149,7 +149,7 @@ void restoreAllSupports(const Model& model, State& state) {
     if (state.supports.empty()) return;
     const double before = accountedEnergy(model, state);
     restoreSupports(model, state);
-    state.energy.external += accountedEnergy(model, state) - before;  // the springs are strained from outside
+    state.energy.external += accountedEnergy(model, state) - before;  // the work on the springs comes from outside
 }
 
 }  // namespace keyblock

@@ -24,30 +24,31 @@
 namespace keyblock {
 namespace {
 
-constexpr double shortestTimeStep = 1e-6;  // over the given step: shorter is a failure
-constexpr double eventStep = 1e-3;  // over the given step: shorter steps take the event as it comes
+constexpr double shortestTimeStep = 1e-6;  // over the given time step: if a shorter one is needed, the stage fails
+constexpr double eventStep = 1e-3;  // over the given time step: within this time, an event is not located more closely
 constexpr double locatedWithin = 1e-4;
-constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
-constexpr double pathOfSmallest = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
-constexpr int mostPathsOfAStep = 2;  // times that a step is done again because it does
-constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to one
-constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
-constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
-constexpr double mostCellTurn = 0.2;  // of a cell in a step [rad]: generalized-alpha gains energy where it is much more
-constexpr int mostTurns = 10;  // times that a step is done again because cells turn otherwise than the glue took it
-constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
-constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
+constexpr double nearShare = 1e-3;  // of the smallest block's size: minimum range of the contact search
+constexpr double pathOfSmallest = 1e-5;  // of the smallest block's size: a longer move may enter through another edge
+constexpr int mostPathsOfAStep = 2;  // repetitions of a step for this reason
+constexpr double arcShare = 1e-2;  // of the reference force: allowed change of a force because blocks move on arcs
+constexpr int mostArcs = 2;  // repetitions of a step because the change is larger, before the step is shortened
+constexpr double arcStep = 1e-3;  // over the given time step: in shorter steps, arcs and glue are not checked
+constexpr double mostCellTurn = 0.2;  // cell rotation per step [rad]; much more makes generalized-alpha gain energy
+constexpr int mostTurns = 10;  // repetitions of a step because cells rotate otherwise than assumed for the glue
+constexpr double closeEnergy = 1e-3;  // of the energy that a step loses: allowed balance error of the first solution
+constexpr double mostEnergy = 1e-2;  // the same for the final solution; otherwise the step is shortened
 constexpr double energyCut = 0.5;
-constexpr double energyStep = 1.0 / 64.0;  // over the given step: no step is cut to less for its energy
+constexpr double energyStep = 1.0 / 64.0;  // over the given time step: minimum after reductions for the energy
 
-/// Whether contacts carry what they would carry where the blocks really come to, on arcs and not on straight ways.
+/// Whether the contact forces are also right at the final positions of the blocks, which move on arcs, not on straight
+/// lines.
 bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
               const std::vector<Contact>& contacts, const Eigen::VectorXd& d) {
     const auto wayOf = [&](std::size_t i) -> Vector6 { return d.segment<6>(6 * static_cast<Eigen::Index>(i)); };
     double arc = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i)
         arc = std::max(arc, model.blocks[i].size * wayOf(i)[2] * wayOf(i)[2]);
-    if (arc < model.tolerance) return true;  // in most steps nothing turns so far
+    if (arc < model.tolerance) return true;  // in most steps, nothing rotates this far
     std::vector<BlockMotion> blocks = from;
     for (std::size_t i = 0; i < blocks.size(); ++i)
         if (!model.blocks[i].fixed) moveBlock(model.blocks[i], blocks[i], wayOf(i));
@@ -65,7 +66,8 @@ bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const St
     return true;
 }
 
-/// Whether point supports do so, too; compared with the loads of their block and the forces of its supports.
+/// Whether the forces of point supports are also right at the final positions of the blocks, compared with the loads of
+/// their block and the forces of its supports.
 bool supportArcsHold(const Model& model, const State& from, const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> reference = problem.ownForce, beyond(reference.size(), 0.0);
     for (const Link& link : problem.links) {
@@ -84,7 +86,8 @@ bool supportArcsHold(const Model& model, const State& from, const StepProblem& p
     return true;
 }
 
-/// The given step, divided evenly where cells would turn too far in it: while they spin evenly, steps are equal.
+/// The given time step, divided evenly if cells would rotate too far in it, so that steps are equal while cells spin
+/// evenly.
 double longestStep(const Model& model, const State& state, double given) {
     double spin = 0.0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
@@ -92,14 +95,15 @@ double longestStep(const Model& model, const State& state, double given) {
     return given / std::max(1.0, std::ceil(spin * given / mostCellTurn));
 }
 
-/// Spins that a step itself brings about may pass the limit twice over.
+/// True if a cell rotates too far. Spin that arises within the step itself may reach twice the limit.
 bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         if (model.blocks[i].cell && std::abs(d[6 * static_cast<Eigen::Index>(i) + 2]) > 2.0 * mostCellTurn) return true;
     return false;
 }
 
-/// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
+/// Adds a step to the time and corrects for the rounding of the last sum, so that a million steps lose nothing (Kahan
+/// 1965).
 double later(double time, double dt, double& roundedUp) {
     const double step = dt - roundedUp;
     const double sum = time + step;
@@ -113,7 +117,7 @@ DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<Loa
                            DynamicSettings settings)
     : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings) {}
 
-/// What a motion prescribes moves at its first slope from the start, at the cost of what drives it.
+/// Gives driven blocks the initial velocity of their prescribed motion; the kinetic energy is external work.
 void DynamicStage::drive(State& state) const {
     const LoadPoint first = loadsAt_(0.0), next = loadsAt_(settings_.timeStep);
     const double before = kineticEnergy(engine_.model, state);
@@ -140,7 +144,8 @@ StepEnding DynamicStage::begin(State& state) {
     return {};
 }
 
-/// What all forces but those of contacts give the bodies where they are, at rest; nothing where it is not asked for.
+/// Accelerations due to all forces except contacts, with the bodies at rest at their present positions. Empty if they
+/// are not needed.
 Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
     if (!carriesAccelerations(settings_.scheme) || state.bolts.empty()) return {};
     const Model& model = engine_.model;
@@ -149,7 +154,7 @@ Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
     return byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
 }
 
-/// An acceleration that still contained what has failed since would throw the light nodes of a bolt away.
+/// Removes the contribution of failed parts from the accelerations; otherwise it would throw light bolt nodes away.
 void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
     if (held.size() == 0) return;
     const Eigen::VectorXd now = heldAccelerations(state);
@@ -157,7 +162,7 @@ void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
         if (now[i] != held[i]) state.acceleration[static_cast<std::size_t>(i)] += now[i] - held[i];
 }
 
-/// Loads where the scheme takes them, motions where the step ends.
+/// Loads at the time at which the scheme evaluates them, prescribed motions at the end of the step.
 LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
     LoadPoint at = loadsAt_(time + share * dt);
     if (share < 1.0) {
@@ -187,7 +192,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
-    Eigen::VectorXd path = guess, start = guess;  // a step that is done again starts from its last solution
+    Eigen::VectorXd path = guess, start = guess;  // a repeated step starts from its last solution
     bool again = false;
     Eigen::VectorXd cellPath;
     for (int paths = 0, arcs = 0, turns = 0;; again = true) {
@@ -207,7 +212,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;
         const double move = largestMove(model, problem, d);
-        if (move > margin) {  // something may have been met that was not looked for
+        if (move > margin) {  // something beyond the search range may have been reached
             margin = 2.0 * move;
             if (margin > 0.25 * smallestSize(model) && !state.contacts.empty()) return Attempt::TooLong;
             start = d;
@@ -267,7 +272,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     const auto start = worstLimit(before, 0.0);
     const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;
     Trial trial;
-    double low = 0.0, high = 0.0;  // bracket of the first limit, once it is known to be passed
+    double low = 0.0, high = 0.0;  // interval that contains the first limit, once a limit is exceeded
     for (int tries = 0;; ++tries) {
         const Attempt attempted = attempt(state, time, dt, pace, trial);
         if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};

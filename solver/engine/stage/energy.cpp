@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double roundOffEnergy = 1e-18;  // over E · volume: less is no energy to balance
+constexpr double roundOffEnergy = 1e-18;  // over E · volume: smaller energies are round-off
 
 double strainEnergy(const Model& model, const BlockModel& block, const BlockMotion& motion) {
     const Eigen::Vector3d stress = frameStress(block, motion);

@@ -23,16 +23,17 @@ bool known(const StepProblem& problem, Eigen::Index unknown) {
 
 bool sameLink(const Link& a, const Link& b) { return a.kind == b.kind && a.owner == b.owner && a.part == b.part; }
 
-/// Friction limits of the links of `problem`, in their order; those of other laws as they are.
+/// The limits of the laws of all links of `problem`, in their order.
 std::vector<double> limitsOf(const StepProblem& problem) {
     std::vector<double> limits;
     for (const Link& link : problem.links) limits.push_back(link.law.limit);
     return limits;
 }
 
-/// The link as it was when the search began. What multipliers carried does not follow from strain, and a contact that
-/// was met on the way may have stood behind its edge, beyond its end: it had what it took over there, or nothing.
-/// \param own the contact as it was accepted at the start; null: none, or it was met on the way
+/// The link as it was when the search began. Forces from multipliers do not follow from the strain. A contact that
+/// formed during the search may have been beyond the end of its edge at the start: it then had the force that it took
+/// over there, or none. \param own the contact as accepted at the start; null if there was none or if it formed during
+/// the search
 PathStart startOf(const Model& model, const Link& link, const Link& first, double limit, const Contact* own,
                   const State& unaccepted) {
     if (!ofContact(link.kind)) return {first.strain, carriedForce(link.law, first.strain), limit};
@@ -42,27 +43,31 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
     if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
     if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
     if (link.kind == LinkKind::Friction && own && !own->bonded) {
-        // what is open now was locked anew where it stands: seen from there it was sheared, but it never carried that
+        // an open contact was locked again at its present position; relative to it, the contact was sheared at the
+        // start, but it never carried that force
         const double most = std::max(limit, std::abs(own->shearForce));
         at.force = own->normalForce <= 0.0 ? 0.0 : std::clamp(at.force, -most, most);
     }
     return at;
 }
 
-/// A hinge's limit is found again when a search begins; where it fell, the hinge still carried what it had.
+/// The limit of a hinge is determined again when a search begins. If it fell, the hinge still carries its previous
+/// moment.
 void carryHinges(StepProblem& problem) {
     for (Link& link : problem.links)
         if (link.kind == LinkKind::Bend || link.kind == LinkKind::Shear)
             link.law.limit = std::max(link.law.limit, std::abs(carriedForce(link.law, link.strain)));
 }
 
-/// Forces that rise late let the loads run ahead; forces that rise early ask more of them.
+/// If forces rise late, the loads do surplus work, which counts as damped. If forces rise early, more external work is
+/// needed.
 void addSurplus(double surplus, EnergyLedger& energy) {
     if (surplus > 0.0) energy.damped += surplus;
     else energy.external -= surplus;
 }
 
-/// Adds what a link stored and used less than the trapezium of its forces says. \return its mean force while it slid
+/// Adds the difference between the work under the trapezium of a link's forces and the work that it stored and
+/// dissipated. \return its mean force while it slid
 double addLink(const Link& link, const PathStart& from, EnergyLedger& energy) {
     const PathWork path = pathWork(link.law, from, link.strain + link.shift);
     if (link.shift != 0.0)
@@ -77,7 +82,8 @@ double addLink(const Link& link, const PathStart& from, EnergyLedger& energy) {
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
-    // what drives a prescribed unknown works against all forces; what it gives to motion is added with the velocities
+    // what drives a prescribed unknown works against all forces; its contribution to the motion is added with the
+    // velocities
     Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
     if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
@@ -91,8 +97,8 @@ void accountStep(const Model& model, State& state, const StepProblem& problem, c
         if (link.shift == 0.0) continue;
         const double force = respondOverStep(link.law, link.strain, after[i], ruleOf(problem, link)).force;
         const double shifted = link.law.share * force * link.shift;
-        if (ofContact(link.kind)) state.energy.external += shifted;  // of what dilates
-        else state.energy.damped -= shifted;  // of what g·D misses of a rotation: no body was moved by it
+        if (ofContact(link.kind)) state.energy.external += shifted;  // work of dilation
+        else state.energy.damped -= shifted;  // the part of a rotation that g·D misses; it moved no body
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
@@ -116,7 +122,7 @@ StaticAccount::Forces StaticAccount::forcesOf(StepProblem& problem, const State&
     return {externalForce(model_, state, loads_, at, {}, total), netForce(problem, still)};
 }
 
-/// The links of the end as they were at the start.
+/// The links at the end of the path, with the state at its start.
 StepProblem StaticAccount::atStart(const State& end) const {
     State start = start_;
     start.contacts = end.contacts;
@@ -131,7 +137,7 @@ const Contact* StaticAccount::contactAtStart(const Link& link, const State& end)
                                 : nullptr;
 }
 
-/// Contacts that have ended: half of the force that they began with, times their path [J].
+/// Work of contacts that have ended: half of their force at the start times their displacement [J].
 double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
     StepProblem problem = stepForLinks(model_);
     addContactLinks(model_, start_, false, problem);
@@ -166,11 +172,11 @@ void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& 
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.kind == LinkKind::Chord) continue;
-        while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
+        while (!sameLink(start.links.at(s), link)) ++s;  // except for chords, the links are the same, in the same order
         const Contact* own = contactAtStart(link, end);
         const PathStart from = startOf(model_, link, start.links[s], startLimits[s], own, end);
         problem.slipForce[i] = addLink(link, from, end.energy);
-        if (ofContact(link.kind) && !own)  // the net force at the start knew nothing of it
+        if (ofContact(link.kind) && !own)  // the net force at the start did not include it
             handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
         ++s;
     }

@@ -20,19 +20,19 @@ long releaseAndReport(const Model& model, State& state, const Limit& limit, doub
         if (i > 0) observer.afterEvent(before, time);
         observer.beforeEvent(before, time);
         events[i].cause = cause;
-        cause = observer.event(events[i], before, time);  // a bolt that is lost is lost by its anchor
+        cause = observer.event(events[i], before, time);  // the loss of a bolt is caused by its anchor
     }
     return cause;
 }
 
 namespace {
 
-constexpr int mostUpdates = 40;  // of the multipliers of one step
-constexpr double slowUpdate = 0.1;  // of the error before: where more is left, the springs are made stiffer
+constexpr int mostUpdates = 40;  // updates of the multipliers in one step
+constexpr double slowUpdate = 0.1;  // of the previous error: if more is left, the springs are stiffened
 constexpr double stiffer = 10.0;
 constexpr double stiffest = 1e4;
 
-/// Solves again under multipliers until contacts neither penetrate nor slip elastically.
+/// Solves again with multipliers until contacts neither penetrate nor slip elastically.
 void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
                        const SolveSettings& settings, SolveReport& report) {
     double error = multiplierError(engine.model, state, problem, d), errorBefore = error, raised = 1.0;

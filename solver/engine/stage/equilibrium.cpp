@@ -25,37 +25,37 @@ namespace keyblock {
 namespace {
 
 constexpr double moveShare = 0.03;  // of a block's size: its longest move in one pseudo-step
-constexpr double sureMoveShare = 0.25;  // of the smallest block's: contacts are looked for as far as that at least
-constexpr double moveRoom = 1.5;  // over the move that the step before leads to expect: contacts are looked for so far
-constexpr double drivenShare = 0.05;  // of the smallest block's: how far a motion or dilation drives in one search
-constexpr double roomToDrive = 2.0;  // times as far, moves in one pseudo-step what is driven
-constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
-constexpr double firstStep = 0.3;  // of the time in which what falls freely moves by the longest move
+constexpr double sureMoveShare = 0.25;  // of the smallest block's size: minimum range of the contact search
+constexpr double moveRoom = 1.5;  // over the move expected from the last step: range of the contact search
+constexpr double drivenShare = 0.05;  // of the smallest block's size: travel of a motion or dilation in one search
+constexpr double roomToDrive = 2.0;  // over that travel: longest move in one driven pseudo-step
+constexpr double softestInertia = 1e-11;  // regularising stiffness over the stiffest spring
+constexpr double firstStep = 0.3;  // of the time in which a freely falling block moves by the longest move
 constexpr double bookedShare = 0.02;  // of a block's size: a longer path is accepted in pieces
-constexpr double longestPiece = 0.1;  // the same where the forces are not those of blocks that fall or slide
-constexpr double quietForce = 10.0;  // times the weight of the heaviest block that is not at rest: no larger unbalanced ones
-constexpr double jumpShare = 1e-3;  // the same of one pseudo-step in which a joint slides, opens or closes
+constexpr double longestPiece = 0.1;  // the same if the forces are larger than those of falling or sliding blocks
+constexpr double quietForce = 10.0;  // times the weight of the heaviest block that is not at rest: limit of such forces
+constexpr double jumpShare = 1e-3;  // of the smaller block's size: slip, opening or closure in one pseudo-step
 constexpr double shortestPseudoStep = 1e-7;  // over the longest pseudo-step
-constexpr double solvedShare = 1e-3;  // of what may be left on a body at rest: so much a pseudo-step leaves of its balance
-constexpr double solvedUnrest = 0.01;  // of what is off balance where it begins, if that is more
-constexpr double solvedNode = 1e-6;  // of the forces at a node of a bolt: steel that flows shares its stretch by them
-constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no better
-constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
-constexpr double easilyBalanced = 0.03;  // of what may be left on bodies: a tower sums up what is left on its blocks
-constexpr int easyPasses = 2;  // iterations for which that is worth a longer pseudo-step
-constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
-constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
-constexpr int mostPasses = 20;  // iterations of a pseudo-step
-constexpr int sweepPatience = 15;  // iterations before such a step tries sweeps: with so little inertia they seldom help
-constexpr double roughly = 0.1;  // residual at which one that has taken them is good enough to go on from
-constexpr double unsettledEase = 0.5;  // of such a pseudo-step, for the next
-constexpr double unsettledCut = 0.1;  // of one that is not
-constexpr double swingCut = 0.3;  // of one after which steps go to and fro
-constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
-constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
-constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
+constexpr double solvedShare = 1e-3;  // of the residual allowed on a body at rest: what a pseudo-step may leave
+constexpr double solvedUnrest = 0.01;  // of the unbalanced force at its start, if that is more
+constexpr double solvedNode = 1e-6;  // of the forces at a bolt node; they govern how yielding steel shares strain
+constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no improvement
+constexpr double stillFalling = 0.1;  // of the previous residual: such a fast decrease continues below the tolerance
+constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
+constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
+constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
+constexpr int mostPaths = 2;  // repetitions of a pseudo-step for this reason
+constexpr int mostPasses = 20;  // largest number of iterations of a pseudo-step
+constexpr int sweepPatience = 15;  // iterations before sweeps are tried; with so little inertia they seldom help
+constexpr double roughly = 0.1;  // residual up to which a pseudo-step without convergence is accepted
+constexpr double unsettledEase = 0.5;  // factor for the step length after such a pseudo-step
+constexpr double unsettledCut = 0.1;  // the same factor after a pseudo-step that is not accepted
+constexpr double swingCut = 0.3;  // the same factor after pseudo-steps that go back and forth
+constexpr double fadingSwing = 0.7;  // of the previous step: smaller oscillations die out by themselves
+constexpr double noSwing = 1e3;  // times round-off: shorter moves are noise
+constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, while joints take up the run's first forces
 
-/// How much longer the next pseudo-step may be after one that took so many iterations.
+/// Factor for the length of the next pseudo-step, from the number of iterations of the last one.
 double easeAfter(int passes) { return passes <= 8 ? 4.0 : passes <= 20 ? 2.0 : passes <= 30 ? 1.0 : 0.5; }
 
 double longestPseudoStep(const Model& model) {
@@ -92,20 +92,20 @@ public:
 private:
     enum class Outcome { Balanced, Moved, Repeat, Stopped, Unsettled };
 
-    /// What moves in a pseudo-step [m].
+    /// Displacements in a pseudo-step [m].
     struct Moves {
-        std::vector<double> blocks;  // of the corner that moves most
-        double largest = 0.0;  // of a block or node
-        double overLimit = 0.0;  // over what it may move
+        std::vector<double> blocks;  // of the corner of each block that moves most
+        double largest = 0.0;  // of all blocks and nodes
+        double overLimit = 0.0;  // displacement over its limit, at most
     };
 
-    /// One pseudo-step from where the blocks are, unless they are balanced there. `Repeat`: nothing has moved, and the
-    /// next one is shorter or knows its path.
+    /// One pseudo-step from the present positions, unless they are balanced. `Repeat`: nothing has moved, and the next
+    /// attempt has a shorter step or a known path.
     Outcome tryStep(long step) {
         reach_ = driven_ ? moveLimit_ : std::max(moveLimit_, moveRoom * expectedMove());
         searchContacts(paths_ > 0 ? &path_ : nullptr);
         const bool lock = taken_ < lockedSteps && state_.step == 0 && unloaded(state_);
-        if (lock && !locked_) dt_ = longest_;  // nothing slides, so that no step is too long
+        if (lock && !locked_) dt_ = longest_;  // nothing slides, so no step is too long
         if (!lock && locked_) {
             dt_ = firstPseudoStep();
             lastStep_.resize(0);
@@ -122,7 +122,7 @@ private:
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
-        else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
+        else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // falling blocks continue to fall
         report_ = solveStep(engine_, problem, state_, d, needs());
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
@@ -130,7 +130,7 @@ private:
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
-        if (!driven_ && settled_ && !jumped_ && isJump(problem, d)) {  // forces that were at rest fall off before it
+        if (!driven_ && settled_ && !jumped_ && isJump(problem, d)) {  // the path up to the jump is accepted first
             jumped_ = bookNext_ = true;
             return keepPath(d);
         }
@@ -144,12 +144,13 @@ private:
         meetDilated(state_, state_.contacts);
     }
 
-    /// The forces are judged where the blocks come to, so that a step need not be solved well to be one towards rest.
+    /// Whether a rough solution is enough: the forces are evaluated at the positions that the blocks reach, so even a
+    /// roughly solved step leads towards rest.
     bool mayBeRough() const {
         return !driven_ && !usesMultipliers(model_) && model_.analysis.iteration != Iteration::OpenClose;
     }
 
-    /// Of the block that moved most in the last pseudo-step, where it goes on in the next [m].
+    /// Expected displacement, in the next pseudo-step, of the block that moved most in the last one [m].
     double expectedMove() const {
         return lastStep_.size() > 0 ? std::pow(dt_ / lastDt_, 2) * lastLargest_ : 0.0;
     }
@@ -161,17 +162,18 @@ private:
                 .sweepsFrom = sweepPatience};
     }
 
-    /// How far the search for contacts reaches [m].
+    /// Range of the search for contacts [m].
     double searchMargin() const { return 2.0 * reach_ + widestOpening(state_); }
 
-    /// History and energy of the path, from the forces where the bodies are.
+    /// Accepts the history and energy of the path, with the forces at the present positions.
     void accept(StepProblem& problem) {
         account_->add(state_, at_, moved_, problem);
         acceptStep(model_, state_, problem, Eigen::VectorXd::Zero(problem.unknowns()));
     }
 
-    /// What moves so far follows its path: friction turns with it, and work is a sum over its pieces. A piece does not end
-    /// where a corner has turned into its neighbour, and a force that is none tears at it, if that can wait.
+    /// Whether the path so far may be accepted. Blocks that have moved far must follow their path, because friction
+    /// turns with it and work is a sum over its pieces. If possible, a piece does not end where a corner has rotated
+    /// into its neighbour and a spurious force acts on it.
     bool mayBook() const {
         const bool quiet = unrest_.force <= quietForce * heaviestRestless();
         return isPathOver(quiet ? bookedShare : longestPiece) || (quiet && bookNext_);
@@ -183,7 +185,7 @@ private:
         return false;
     }
 
-    /// Weight of a block or cell that is not at rest [N].
+    /// Weight of the heaviest block or cell that is not at rest [N].
     double heaviestRestless() const {
         double most = 0.0;
         for (const int body : unrest_.restless)
@@ -191,7 +193,7 @@ private:
         return most;
     }
 
-    /// True where a joint slides, opens or closes so far that its force does not change in proportion to the way.
+    /// True if a joint slides, opens or closes so far that its force is not proportional to the displacement.
     bool isJump(const StepProblem& problem, const Eigen::VectorXd& d) const {
         std::vector<double> after;
         linkStrains(problem, d, after);
@@ -205,7 +207,7 @@ private:
         return false;
     }
 
-    /// Accepts the path so far, though nothing balances yet.
+    /// Accepts the path so far, although the forces are not balanced yet.
     Outcome bookPath(StepProblem& problem) {
         accept(problem);
         startPath();
@@ -219,7 +221,7 @@ private:
         account_.emplace(model_, state_, loads_, at_);
     }
 
-    /// Takes out what is too small to decide and falls.
+    /// Removes falling pieces that are too small to decide the outcome.
     Outcome letGo(StepProblem& problem, const std::vector<int>& rows) {
         accept(problem);
         excavate(model_, state_, rows);
@@ -227,20 +229,20 @@ private:
         return Outcome::Repeat;
     }
 
-    /// A step that did not settle, or went too far, is repeated with a shorter one, down to the shortest.
+    /// Repeats a step that did not converge or moved too far with a shorter one, down to the shortest.
     Outcome shorten(double share) {
         ++engine_.health.stepCuts;
         dt_ *= share;
         return dt_ >= shortestPseudoStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
 
-    /// True where a corner comes in by another edge than it was looked for.
+    /// True if a corner enters through another edge than the search assumed.
     bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
         return move > pathShare * moveLimit_ &&
                !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d);
     }
 
-    /// The step is done again with contacts looked for along its path.
+    /// Repeats the step with contacts searched along its path.
     Outcome keepPath(const Eigen::VectorXd& d) {
         path_ = d;
         ++paths_;
@@ -265,7 +267,7 @@ private:
         lastStep_ = d;
     }
 
-    /// True where a block that decides falls; shown by a pseudo-step half as long.
+    /// True if a deciding block falls, which is confirmed by a pseudo-step of half the length.
     bool someFall() {
         const auto some = [&](auto shown) {
             return std::any_of(unrest_.restless.begin(), unrest_.restless.end(),
@@ -280,7 +282,7 @@ private:
         return false;
     }
 
-    /// Even the shortest step does not settle.
+    /// The ending if even the shortest step does not converge.
     StepEnding unsettled() const {
         const std::string worst = nameOfBody(model_, report_.worst);
         return named(Ending::Failed, report_.singular ? worst + " is held by nothing" : "no step settles near " + worst,
@@ -289,7 +291,7 @@ private:
 
     bool isDeciding(int body) const { return blockOfBody(model_, body) >= 0 && falls_.decides(body); }
 
-    /// At equilibrium, unless round-off hides too much of what a block weighs.
+    /// Equilibrium, unless round-off hides too much of the weight of a block.
     StepEnding balancedUnlessHidden() {
         engine_.health.worst = {blockOfBody(model_, unrest_.body), unrest_.share, unrest_.force};
         const auto hidden = std::find_if(unrest_.undecidable.begin(), unrest_.undecidable.end(),
@@ -303,12 +305,13 @@ private:
                 unrest_.undecidable, {}, -1, true};
     }
 
-    /// Takes over where the moving blocks had got to: history and energy of their path, whatever does not balance.
+    /// The ending while blocks still move: the history and energy of their path are accepted, although forces are
+    /// unbalanced.
     StepEnding moving(Ending how) {
         searchContacts(nullptr);
         StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, false});
         accept(problem);
-        ++state_.step;  // not the state before: it has a frame of its own
+        ++state_.step;  // this state gets a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
         if (unrest_.restless.empty())
             return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, mostMoved()) + " has moved most",
@@ -318,8 +321,8 @@ private:
                      blockOfBody(model_, unrest_.body));
     }
 
-    /// An ending that names the blocks that fall or have left their place, and those that they set moving; where there is
-    /// none, `block`.
+    /// An ending that lists the blocks that fall or have left their position, and the blocks that they set in motion.
+    /// If there are none, it lists `block`.
     StepEnding named(Ending ending, std::string message, int block) const {
         StepEnding result{ending, std::move(message), {}};
         const auto add = [&](int row, std::vector<int>& to) {
@@ -336,7 +339,8 @@ private:
         return result;
     }
 
-    /// No joint has carried anything yet: friction without normal forces would let everything slide.
+    /// True if no joint has carried a force yet. Without normal forces there is no friction, and everything would
+    /// slide.
     static bool unloaded(const State& state) {
         return std::all_of(state.contacts.begin(), state.contacts.end(),
                            [](const Contact& c) { return c.normalForce == 0.0 && !c.bonded; });
@@ -360,22 +364,23 @@ private:
         return residual_ > stillFalling * before && !(easy && unrest_.beyond > easilyBalanced);  // not worth another step
     }
 
-    /// What is left is due to round-off of the coordinates: it falls no more, and nothing drifts.
+    /// True if the residual is due to round-off of the coordinates: it no longer decreases, and nothing drifts.
     bool isNoise(const StepProblem& problem, const Eigen::VectorXd& net, double before) const {
         if (lastMove_ <= roundOff()) return true;
         const bool stalls = residual_ > 0.9 * before;
         return stalls && !drifts_ && residualNorm(problem, net) <= placeNoise(problem, 0.25 * roundOff());
     }
 
-    /// The next pseudo-step: longer after one that was easily solved, but not so long that what falls freely would go too
-    /// far in it.
+    /// The next pseudo-step: longer after one that was solved easily, but not so long that freely falling blocks would
+    /// move too far in it.
     double nextStep(double moveOverLimit) const {
         const double ease = report_.converged ? easeAfter(report_.passes) : unsettledEase;
         const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
         return std::min(std::min(room, ease) * dt_, longest_);
     }
 
-    /// Under gravity short enough for what is loose; but no inertia may resist what a motion drives.
+    /// The first pseudo-step: under gravity it is short enough for loose blocks. If a motion drives blocks, no inertia
+    /// may resist it.
     double firstPseudoStep() const {
         const double gravity = driven_ ? 0.0 : weightPerMass(model_, at_);
         return gravity > 0.0 ? std::min(longest_, firstStep * std::sqrt(2.0 * moveLimit_ / gravity)) : longest_;
@@ -395,27 +400,28 @@ private:
         return moves;
     }
 
-    /// Force that a pseudo-step may leave on each body [N].
+    /// Residual force that a pseudo-step may leave on each body [N].
     std::vector<double> mayLeave() const {
         std::vector<double> left;
-        const double unrest = usesMultipliers(model_) ? 0.0 : std::min(1.0, unrest_.share);  // they want exact forces
+        const double unrest = usesMultipliers(model_) ? 0.0 : std::min(1.0, unrest_.share);  // they need exact forces
         const double share = std::max(solvedShare * settings_.body, solvedUnrest * unrest);
         for (std::size_t i = 0; i < rest_.own.size(); ++i)
             left.push_back((i < model_.blocks.size() ? share : solvedNode) * rest_.own[i]);
         return left;
     }
 
-    /// Steps to and fro that do not get shorter: what turns with the bodies is stiffer or softer than a step can see.
+    /// True if steps go back and forth without getting shorter. Then forces that rotate with the bodies make them
+    /// stiffer or softer than a step assumes.
     bool swings(const Eigen::VectorXd& d, double move) const {
         if (lastStep_.size() == 0 || move < noSwing * roundOff()) return false;
         const double before = lastStep_.norm();
         return d.norm() > fadingSwing * before && d.dot(lastStep_) < -0.5 * d.norm() * before;
     }
 
-    /// Moves smaller than this are lost in the coordinates [m].
+    /// Displacements below this are lost in the round-off of the coordinates [m].
     double roundOff() const { return 4.0 * std::numeric_limits<double>::epsilon() * model_.size; }
 
-    /// Blocks and cells that no motion drives.
+    /// Blocks and cells without a prescribed motion.
     std::vector<int> freeRows() const {
         std::vector<int> rows;
         for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i)
@@ -431,14 +437,14 @@ private:
                            [&](int row) { return falls_.decides(row) && falls_.hasLeft(state_.blocks, row); });
     }
 
-    /// For progress.
+    /// Records the block that has moved farthest, for the progress display.
     void noteFarthest() {
         const int block = engine_.newest.moving = mostMoved();
         engine_.newest.moved =
             block < 0 ? 0.0 : falls_.moved(state_.blocks, block) * wholeSize(model_, wholeOf(model_, block));
     }
 
-    /// The block that has moved farthest, over its own size.
+    /// The block that has moved farthest relative to its own size.
     int mostMoved() const {
         int most = -1;
         double farthest = 0.0;
@@ -457,32 +463,32 @@ private:
     const Loads& loads_;
     const LoadPoint& at_;
     const StaticSettings& settings_;
-    std::optional<StaticAccount> account_;  // of the path since it was booked last
-    std::vector<BlockMotion> booked_;  // the blocks then
+    std::optional<StaticAccount> account_;  // of the path since it was last accepted
+    std::vector<BlockMotion> booked_;  // the blocks at that time
     Falls falls_;
-    Eigen::VectorXd moved_;  // since then, summed over the pseudo-steps
+    Eigen::VectorXd moved_;  // displacement since then, summed over the pseudo-steps
     double tolerance_;
     bool driven_;  // by a prescribed motion or a dilation
     double moveLimit_;
-    double reach_ = 0.0;  // as far as anything may move in the pseudo-step that comes [m]
+    double reach_ = 0.0;  // limit of any displacement in the next pseudo-step [m]
     double longest_, dt_, lastDt_ = 0.0;
-    RestForces rest_;  // when last judged
+    RestForces rest_;  // at the last check
     Unrest unrest_;
-    bool locked_ = false;  // friction, in the last pseudo-step
-    bool halved_ = false;  // the pseudo-step that comes is half as long, to prove a fall
-    bool settled_ = false;  // the last pseudo-step that was taken
-    bool jumped_ = false;  // in a pseudo-step of this search, the first was
-    bool bookNext_ = false;  // the path so far is booked before the next
+    bool locked_ = false;  // friction was locked in the last pseudo-step
+    bool halved_ = false;  // the next pseudo-step is half as long, to confirm a fall
+    bool settled_ = false;  // the last accepted pseudo-step converged
+    bool jumped_ = false;  // the first jump of this search has occurred
+    bool bookNext_ = false;  // the path so far is accepted before the next pseudo-step
     Eigen::VectorXd path_;  // of the step that is repeated
-    int paths_ = 0;  // times that it was
+    int paths_ = 0;  // number of its repetitions
     int taken_ = 0;
     SolveReport report_;  // of the last step
-    double lastLargest_ = 0.0;  // move in the last pseudo-step [m]
-    double lastMove_ = std::numeric_limits<double>::max();  // in the last without friction locked
+    double lastLargest_ = 0.0;  // largest displacement in the last pseudo-step [m]
+    double lastMove_ = std::numeric_limits<double>::max();  // the same, in the last one without locked friction [m]
     FoundCorners corners_;  // of the last search
     Eigen::VectorXd lastStep_;
-    bool drifts_ = false;  // the last two steps went the same way
-    double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
+    bool drifts_ = false;  // the last two steps had the same direction
+    double residual_ = std::numeric_limits<double>::max();  // over the reference force, at the last check
 };
 
 }  // namespace
