@@ -10,10 +10,10 @@
 namespace keyblock {
 namespace {
 
-/// Corners of blocks on the domain's boundary, by block and corner, and whether x and y are fixed there.
+/// Corners on the boundary of the domain, by block and corner, and whether x and y are fixed there.
 using BoundaryCorners = std::map<std::pair<int, int>, std::pair<bool, bool>>;
 
-/// Fixes what has a face on a side of the domain: whole blocks, or the ends of the face.
+/// Fixes the blocks with a face on a side of the domain: whole blocks, or only the ends of the face.
 void fixBoundary(const Scene& scene, const Support& support, Model& model, BoundaryCorners& fixedCorners) {
     for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
         const std::vector<CutFace>& faces = scene.blocks[b].faces;

@@ -8,12 +8,13 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t remembered = 11;  // pseudo-steps over which a fall must not slow down
-constexpr double steady = 0.95;  // of the acceleration at the start of these pseudo-steps
-constexpr double alike = 0.2;  // relative difference allowed between two accelerations
+constexpr std::size_t remembered = 11;  // number of pseudo-steps over which a fall must not slow down
+constexpr double steady = 0.95;  // fraction of the acceleration at their beginning
+constexpr double alike = 0.2;  // relative difference up to which two accelerations are alike
 constexpr double quick = 10.0;  // times the unbalanced force allowed at rest
-constexpr double shortWay = 0.1, longWay = 0.5;  // of a block's size: move that confirms a quick fall, and any fall
-constexpr double leastWay = 0.05;  // of a block's size: minimum move of a block set in motion by others
+// displacement over block size from which a quick fall, or any fall, is accepted
+constexpr double shortWay = 0.1, longWay = 0.5;
+constexpr double leastWay = 0.05;  // displacement over block size from which a block counts as set in motion by others
 
 }  // namespace
 
@@ -49,8 +50,7 @@ bool Falls::falls(const std::vector<BlockMotion>& blocks, int block) const {
     return (now > quick * share_ && way > shortWay) || (now > share_ && way > longWay);
 }
 
-/// True if the acceleration of a bolted block decreases so fast that its bolts will carry it before it has moved by its
-/// size.
+/// True if the acceleration of a bolted block decreases so fast that its bolts stop it before it has moved by its size.
 bool Falls::isCaught(int block) const {
     const auto at = static_cast<std::size_t>(block);
     if (!bolted_[at]) return false;

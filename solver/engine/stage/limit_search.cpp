@@ -8,11 +8,12 @@
 namespace keyblock {
 namespace {
 
-constexpr int halvingPatience = 3;  // tries in which the two ends come to half their distance, or it is halved
+constexpr int halvingPatience = 3;  // tries in which the bracket must shrink to half its width; otherwise it is halved
 
-constexpr double nearHigh = 0.999;  // of the way: so near to the high end that this line has led there before
+// fraction of the bracket; a line that leads beyond it has already led to the high end
+constexpr double nearHigh = 0.999;
 
-/// The limit's ratio in a list, at most 1; 0 where the list has none.
+/// Ratio of the limit in a list, at most 1; 0 if it is not in the list.
 double ratioIn(const std::vector<Limit>& limits, const Limit& limit) {
     const auto same = std::find_if(limits.begin(), limits.end(), [&](const Limit& l) { return sameLimit(l, limit); });
     return same == limits.end() ? 0.0 : std::min(same->ratio, 1.0);
@@ -35,8 +36,8 @@ double LimitSearch::next() {
     return first;
 }
 
-/// Where a limit that is over at the high end passes 1: on the line through the last two low ends, where that leads to
-/// a place between the ends, else on the line between them.
+/// Point at which a limit that is exceeded at the high end reaches 1. It is extrapolated from the last two low ends if
+/// that leads to a point inside the bracket, and otherwise interpolated between the low and the high end.
 double LimitSearch::crossing(const Limit& over) const {
     const double atLow = ratioIn(low_.limits, over), left = 1.0 - atLow;
     if (!before_.limits.empty()) {

@@ -13,16 +13,17 @@
 namespace keyblock {
 namespace {
 
-constexpr double mostTurn = 0.02;  // of a block [rad]: its corners' arcs are 0.25 % longer than straight lines
-constexpr double mostUncertain = 0.05;  // shear forces that depend on the path, over all contact forces
-constexpr double mostLengthChange = 0.25;  // of the largest tributary length of the bolt's nodes
-constexpr double faintForce = 1e-4;  // of the largest contact force: contacts that carry less do not count
+// rotation of a block [rad]: the arc of a corner deviates from its chord by 0.25 % of its length
+constexpr double mostTurn = 0.02;
+constexpr double mostUncertain = 0.05;  // uncertain shear forces, as a fraction of the sum of the contact forces
+constexpr double mostLengthChange = 0.25;  // as a fraction of the largest tributary length of the bolt's nodes
+constexpr double faintForce = 1e-4;  // fraction of the largest contact force: contacts that carry less are ignored
 
-/// How a contact behaved in its last increment.
+/// Behaviour of a contact in its last increment.
 struct Behaviour {
     const Contact* contact = nullptr;
     bool carries = false;
-    int slides = 0;  // −1 or 1: in this direction
+    int slides = 0;  // −1 or 1: direction of sliding; 0: no sliding
 };
 
 Behaviour behaviourOf(const Contact& c) {
@@ -42,7 +43,8 @@ double largestForce(const State& state) {
     return largest;
 }
 
-/// Shear force of a contact that slid before this increment and does not slide so any more: it may have slid a while.
+/// Uncertainty of the shear force of a contact that slid in the previous increment and no longer slides in that
+/// direction: it may still have slid during part of this increment.
 double uncertainShear(const Model& model, const Contact& before, double ratio) {
     return std::min(contactSprings(model, before).shear * std::abs(before.slid) * ratio, 2.0 * before.limit);
 }
@@ -78,7 +80,7 @@ bool sameSteel(const BoltElementState& a, const BoltElementState& b) {
     return a.steel == b.steel && a.hingeBend == b.hingeBend && a.hingeSway == b.hingeSway && a.ruptured == b.ruptured;
 }
 
-/// Largest change of a tributary length, of nodes that stay in their block, over the largest of these lengths.
+/// Largest change of tributary length among the nodes that stay in their block, over the largest tributary length.
 double lengthChange(const BoltMotion& before, const BoltMotion& after) {
     double change = 0.0, largest = 0.0;
     for (std::size_t n = 0; n < before.nodes.size(); ++n) {
@@ -90,7 +92,7 @@ double lengthChange(const BoltMotion& before, const BoltMotion& after) {
 }
 
 void reviewBolts(const Model& model, const State& before, const State& after, PathReview& review) {
-    State followed = after;  // with the blocks and lengths that nodes have there
+    State followed = after;  // with updated blocks and tributary lengths of the nodes
     followBolts(model, followed);
     for (std::size_t b = 0; b < before.bolts.size(); ++b) {
         const BoltMotion &first = before.bolts[b], &last = followed.bolts[b];

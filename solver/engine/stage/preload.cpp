@@ -15,17 +15,18 @@
 namespace keyblock {
 namespace {
 
-constexpr double restInertia = 1e-7;  // over the contact springs, while rest is sought
+constexpr double restInertia = 1e-7;  // inertia over contact stiffness in the search for rest
 constexpr int restRounds = 4;
-constexpr int quickPasses = 3;  // iterations with friction after which a scene far from rest is taken to move
-constexpr double nearRest = 1e-3;  // residual from which rest is sought with all iterations
-constexpr double restTolerance = 1e-7;  // at least, in that second search
-constexpr double movingTolerance = 10.0;  // times the scene's: its first step solves for the rest
+constexpr int quickPasses = 3;  // iterations with friction after which a scene far from rest is assumed to move
+constexpr double nearRest = 1e-3;  // residual up to which the search for rest continues with all iterations
+constexpr double restTolerance = 1e-7;  // minimum tolerance of that second search
+constexpr double movingTolerance = 10.0;  // times the tolerance of the scene: the first time step corrects the error
 
-/// At its zero point, or past it and carrying.
+/// True if a contact is closed: at its zero point or compressed.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
-/// Only touching contacts act while preload is sought; bolts and supports keep the force they have.
+/// Keeps only touching contacts, supports and glue active while the preload is calculated; bolts keep their current
+/// forces.
 void keepTouching(const Model& model, const State& state, StepProblem& problem) {
     for (Link& link : problem.links) {
         if (link.kind == LinkKind::Support || link.kind == LinkKind::Glue) continue;
@@ -40,8 +41,9 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
     }
 }
 
-/// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved. What
-/// friction could not hold is not kept: it would fail at once, with an energy that came from nowhere.
+/// Shifts the zero points of contacts and glue and the stress of the blocks so that they carry the forces found without
+/// any movement. Shear forces beyond the friction limit are not kept: the contact would slip at once and release energy
+/// that no load has supplied.
 void keepForces(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
@@ -81,7 +83,7 @@ void restoreVelocities(const State& from, State& to) {
             to.bolts[b].nodes[n].velocity = from.bolts[b].nodes[n].velocity;
 }
 
-/// Pseudo-step whose inertia is small compared with the softest contact [s]; 0 where nothing has mass.
+/// Length of a pseudo-step whose inertia is small compared with the softest contact [s]; 0 if no block has mass.
 double restStep(const Model& model, const State& state) {
     double mass = 0.0, stiffness = std::numeric_limits<double>::max();
     for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
@@ -89,13 +91,14 @@ double restStep(const Model& model, const State& state) {
     return std::sqrt(2.0 * mass / (restInertia * stiffness));
 }
 
-/// Seeks the forces of one round, and keeps them where it converges.
+/// Calculates the forces of one round and stores them if it converges.
 class PreloadSearch {
 public:
     PreloadSearch(Engine& engine, State& state, const Loads& loads, const LoadPoint& first)
         : engine_(engine), state_(state), loads_(loads), first_(first) {}
 
-    /// A round at rest. With friction, a scene that is near rest after a few iterations gets all of them.
+    /// Makes a round at rest. With friction, a scene that is near rest after a few iterations is allowed all
+    /// iterations.
     SolveReport atRest(double dt, bool frictionLocked) {
         begin({Inertia::Static, dt, frictionLocked});
         const Analysis& analysis = engine_.model.analysis;
@@ -105,7 +108,7 @@ public:
         return solve(std::max(restTolerance, analysis.tolerance), 0);
     }
 
-    /// The scene's first step from rest.
+    /// Makes the first time step of the scene from rest.
     SolveReport moving(double timeStep) {
         begin({Inertia::Shi, timeStep});
         return solve(movingTolerance * engine_.model.analysis.tolerance, 0);

@@ -11,12 +11,13 @@
 namespace keyblock {
 namespace {
 
-constexpr double ofAllForces = 1e-3;  // what a block's strains, a single cell and a plate may leave of all forces on them
-constexpr double ofNode = 1e-4;  // what a node of a bolt may leave of the forces there
-constexpr double leastRestStrain = 1e-12;  // forces under that of such a strain count as none
+// for strains of blocks, single cells and face plates: unbalanced force over the sum of the acting forces
+constexpr double ofAllForces = 1e-3;
+constexpr double ofNode = 1e-4;  // for bolt nodes: unbalanced force over the sum of the acting forces
+constexpr double leastRestStrain = 1e-12;  // forces that cause smaller strains count as zero
 constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
 
-/// Largest coordinate of a block from the model's origin [m].
+/// Largest coordinate of a block centroid relative to the model's origin [m].
 double largestCoordinate(const State& state) {
     double largest = 0.0;
     for (const BlockMotion& block : state.blocks) largest = std::max(largest, block.centroid.cwiseAbs().maxCoeff());
@@ -27,11 +28,11 @@ double leastForce(const Model& model, const BlockModel& block) {
     return leastRestStrain * block.youngsModulus * block.size * model.thickness;
 }
 
-/// Links on each body.
+/// Forces and stiffness of the links of each body.
 struct LinkSums {
     std::vector<double> all;  // summed forces [N]
-    std::vector<double> rock, others;  // largest force of a contact or glue, and of anything else [N]
-    std::vector<double> springs, outerSprings;  // Σ k² [N²/m²], of all and without glue
+    std::vector<double> rock, others;  // largest force of a contact or of glue, and of any other link [N]
+    std::vector<double> springs, outerSprings;  // Σ k² over all links, and without glue [N²/m²]
 
     explicit LinkSums(const StepProblem& problem) {
         const auto bodies = static_cast<std::size_t>(problem.blocks + problem.nodes);
@@ -57,7 +58,8 @@ struct LinkSums {
     }
 };
 
-/// Weight of a block; without gravity the largest of what acts on it from outside, else the largest contact force.
+/// Reference force of a block: its weight; without gravity the largest of its other external forces, or if there are
+/// none the largest contact force.
 double ownForceOf(const Model& model, const StepProblem& problem, const LinkSums& sums, std::size_t block,
                   double weightPerMass) {
     const BlockModel& b = model.blocks[block];
@@ -67,8 +69,9 @@ double ownForceOf(const Model& model, const StepProblem& problem, const LinkSums
     return outside > least ? outside : std::max(sums.rock[block], least);
 }
 
-/// A node that carries next to nothing is judged by the largest force in its bolt, or by a share of the lightest block:
-/// all that is left at nodes in a block is left on the block.
+/// Adds the reference forces of a bolt's nodes. A node with hardly any force is compared with the largest force in its
+/// bolt, or with a fraction of the weight of the lightest block, because the unbalanced forces of nodes act on their
+/// block.
 void addNodeForces(const BoltModel& bolt, double lightest, const std::vector<double>& all, std::vector<double>& own) {
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(own.size());
     const double largest = std::max(*std::max_element(first, first + static_cast<std::ptrdiff_t>(bolt.s.size())),
@@ -79,7 +82,7 @@ void addNodeForces(const BoltModel& bolt, double lightest, const std::vector<dou
     }
 }
 
-/// What does not balance on a body, or on a block of several cells, about its centre.
+/// Unbalanced force and moment about the centre of a body or of a block of several cells.
 struct Left {
     Point force{0.0, 0.0};  // [N]
     double moment = 0.0;  // [N m]
@@ -110,7 +113,7 @@ private:
         return {free(row) * axis + free(row + 1) * turnLeft(axis), free(row + 2)};
     }
 
-    /// A block, or all its cells as one: what glue does not balance between them is none of its weight.
+    /// Checks a block, or all its cells as one: imbalance of glue forces between cells is not compared with the weight.
     void judgeRock(int first, int end) {
         double mass = 0.0, own = 0.0, noise = 0.0, hidden = 0.0, area = 0.0;
         Point middle{0.0, 0.0};
@@ -138,7 +141,7 @@ private:
         worst_.noise = std::max(worst_.noise, hidden / own);
     }
 
-    /// The strains of a block; all of a cell or a plate.
+    /// Checks the strains of a block, or everything for a cell or a face plate.
     void judgeAlone(int block) {
         const BlockModel& b = model_.blocks[at(block)];
         const Eigen::Index row = 6 * static_cast<Eigen::Index>(block);

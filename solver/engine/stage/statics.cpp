@@ -20,22 +20,23 @@
 namespace keyblock {
 namespace {
 
-constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
-constexpr double followShare = 1e-9;  // of the scene: embedded lengths that changed less need no new equilibrium
+constexpr double finestIncrement = 1e-3;  // fraction of the given increment from which a collapse is accepted
+// fraction of the model size: smaller changes of embedded lengths need no new equilibrium
+constexpr double followShare = 1e-9;
 constexpr int mostRounds = 6;
-constexpr int mostTries = 60;  // to locate an event
-constexpr double narrowest = 1e-12;  // of an increment, when one is
-constexpr int mostStalled = 3;  // of these that come no nearer
-constexpr long longSearch = 40;  // iterations of a try, after which the next begins where it ended
-constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
+constexpr int mostTries = 60;  // maximum number of tries to locate an event
+constexpr double narrowest = 1e-12;  // width of the bracket at which they end, as a fraction of the increment
+constexpr int mostStalled = 3;  // number of consecutive tries that do not halve the distance to the limit
+constexpr long longSearch = 40;  // iterations of a try after which the next try starts from its result
+constexpr double locateShare = 1e-4;  // accuracy with which an event is located, as a fraction of its limit
 
-// Of increments that the program chooses, in pseudo-time.
-constexpr double longestBent = 0.1;  // in which joints slide, open or close: as many points draw their curves
-constexpr double longestFlow = 0.02;  // in which bolts flow
-constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
-constexpr double finestCollapse = 0.02;  // before a collapse is believed
-constexpr long fewPasses = 16;  // that show whether nothing slides over a long increment
-constexpr long mostInSearch = 400;  // pseudo-steps, after which a shorter increment is tried
+// Increments of automatic length, in pseudo-time.
+constexpr double longestBent = 0.1;  // maximum length if joints slide, open or close: gives enough points on curves
+constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
+constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no equilibrium
+constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
+constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
+constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 
 /// One move within an increment.
 class Move {
@@ -54,14 +55,14 @@ public:
     }
 
 private:
-    /// An equilibrium farther along the path of the load.
+    /// State reached at a point further along the load path.
     struct Reached {
         State state;
         double share = 0.0;
-        bool atLimit = false;  // the first limit was located here
+        bool atLimit = false;  // the first limit was located at this state
     };
 
-    /// \param most pseudo-steps, after which the search ends as `Undecided`; never more than are left altogether.
+    /// \param most the number of pseudo-steps after which the search ends as `Undecided`, within the total allowed.
     StepEnding equilibrium(State& state, double to, long most = std::numeric_limits<long>::max(),
                            bool followsFalls = true) {
         return equilibrium(state, {reached(), between(a_, b_, to)}, most, followsFalls);
@@ -80,8 +81,8 @@ private:
         return ending;
     }
 
-    /// A search as long as there may be one, in parts: where one has come to no verdict, what has passed its limit on the
-    /// way may let go first.
+    /// Searches for equilibrium in parts of limited length until the allowed number of pseudo-steps is used up. If a
+    /// part ends without a result, limits that were exceeded during it are released first.
     StepEnding searchOn(State& state, double to) {
         for (;;) {
             const StepEnding ending = equilibrium(state, to, mostInSearch);
@@ -89,7 +90,7 @@ private:
         }
     }
 
-    /// Goes on with what was seen falling under this load.
+    /// Continues the search at this load to follow the blocks that were seen to fall.
     StepEnding followFall(State& state, double to) {
         const LoadPoint at = between(a_, b_, to);
         return equilibrium(state, {at, at}, std::numeric_limits<long>::max(), true);
@@ -105,27 +106,27 @@ private:
         return worstLimit(limits, 1.0 + reachedShare).has_value();
     }
 
-    /// True where a search ended among moving blocks and bolts have passed their limits on the way: these let go before
-    /// anything is reported.
+    /// True if a search ended with moving blocks and limits have been exceeded (for `NoEquilibrium`: limits of bolts).
+    /// They are released before anything is reported.
     bool lettingGo(const StepEnding& ending, const State& state) const {
         if (ending.ending == Ending::Undecided) return !ending.final && !isWorkedOut() && passesLimit(state);
         return ending.ending == Ending::NoEquilibrium && passesBoltLimit(state);
     }
 
-    /// Ends where the moving blocks had got to.
+    /// Keeps the moving blocks at the positions that they have reached.
     void leaveMoving(Reached moving) {
         state_ = std::move(moving.state);
         progress_.under = moving.share;
     }
 
-    /// Goes on from a moving state as from one at rest, but with releases first.
+    /// Accepts a moving state like an equilibrium, but limits are released before the load continues.
     StepEnding takeMoving(Reached moving) {
         accept(std::move(moving));
         progress_.moving = true;
         return {};
     }
 
-    /// As much work is done since the last event or accepted increment as may be.
+    /// True if the pseudo-steps allowed since the last event or accepted increment are used up.
     bool isWorkedOut() const { return progress_.solves >= settings_.maxSteps; }
 
     static bool isMoving(const StepEnding& ending) {
@@ -141,7 +142,8 @@ private:
 
     std::optional<Limit> limit() const { return worstLimit(heldLimits(engine_.model, state_), progress_.least); }
 
-    /// On by the step, or by less where no equilibrium is found so far away, and at most to the first limit.
+    /// Increases the load by the current step, which is halved while no equilibrium is found, and at most to the first
+    /// limit.
     StepEnding loadOn() {
         const double whole = 1.0 / piecesOfMotion();
         double& step = progress_.step;
@@ -171,7 +173,7 @@ private:
         }
     }
 
-    /// On as far as what happens on the way allows, and at most to the first limit.
+    /// Increases the load by an automatically chosen length, and at most to the first limit.
     StepEnding loadByChoice() {
         for (;;) {
             const double to = nextShare();
@@ -195,7 +197,8 @@ private:
         }
     }
 
-    /// Equal parts of what is left, none longer than is tried next, and not yet so far as one that failed.
+    /// End of the next increment: equal parts of the remaining load, none longer than the next length to try and none
+    /// reaching the end of a failed increment while shorter ones can be tried.
     double nextShare() const {
         const double left = (1.0 - progress_.done) * span();
         const double longest = std::min(progress_.chosen.next, span() / piecesOfMotion());
@@ -204,13 +207,14 @@ private:
         return progress_.fails > progress_.done ? std::min(next, nearerTo(progress_.fails)) : next;
     }
 
-    /// Half of the way to where no equilibrium was found, or all of it where it is short enough to believe that.
+    /// Half of the distance to the point where no equilibrium was found, or all of it if that is short enough to accept
+    /// a collapse.
     double nearerTo(double fails) const {
         const double way = fails - progress_.done;
         return isTooFar(way * span()) ? progress_.done + 0.5 * way : fails;
     }
 
-    /// Accepts what was reached, unless too much happened on the way: then a shorter increment is next.
+    /// Accepts the state reached, unless too much happened within the increment; then a shorter one is tried next.
     bool take(Reached next) {
         ChosenLength& chosen = progress_.chosen;
         const double length = (next.share - progress_.done) * span();
@@ -229,12 +233,12 @@ private:
         return true;
     }
 
-    /// Passes after which a shorter increment is tried first.
+    /// Number of iterations after which a shorter increment is tried first.
     static long patienceFor(double length) {
         return isLong(length) ? fewPasses : std::numeric_limits<long>::max();
     }
 
-    /// The search for equilibrium ends as `Stopped` once it has taken more passes than it may.
+    /// Searches for equilibrium; the search ends as `Stopped` once it has made more than `passes` iterations.
     StepEnding equilibriumWithin(State& state, double to, long passes) {
         left_ = passes;
         const std::function<bool()> asked = engine_.stopAsked;
@@ -246,19 +250,21 @@ private:
         return ending;
     }
 
-    /// True where the search was given up, or did not settle, and a shorter increment may do better.
+    /// True if the search was given up or did not converge, and a shorter increment may succeed.
     bool isTooDear(const StepEnding& ending, double length) const {
         if (length <= shortestChosen * (1.0 + 1e-9)) return false;
         return ending.ending == Ending::Failed || (ending.ending == Ending::Stopped && left_ < 0);
     }
 
-    /// Longer than those in which something happens.
+    /// True if an increment is longer than those allowed while joints slide, open or close.
     static bool isLong(double length) { return length > longestBent * (1.0 + 1e-9); }
 
-    /// True where there may be an equilibrium nearer than so far away.
+    /// True if an increment may have failed only because it was too long: there may be an equilibrium at a smaller
+    /// load.
     bool isTooFar(double length) const { return length > finestCollapse * (1.0 + 1e-9) && !isSameLoad(a_, b_); }
 
-    /// Increments do not grow any more once one of usual length was too long.
+    /// Shortens the next increment. Lengths no longer increase unless this one was long and its search was given up or
+    /// did not converge.
     void shorten(double length, Ending ending) {
         ChosenLength& chosen = progress_.chosen;
         const bool probed = ending != Ending::NoEquilibrium && isLong(length);
@@ -267,15 +273,16 @@ private:
         chosen.grows = chosen.grows && probed;
     }
 
-    /// Where there is no equilibrium at the end of a load that has not begun yet: is there one under next to nothing
-    /// of it? What slides under that slides under any share of it.
+    /// Checks, if there is no equilibrium at the end of a load that has not begun yet, whether there is one under a
+    /// minute part of it. A block that slides under this part slides under any larger part.
     bool standsAtFirst(double whole) {
         if (progress_.done > 0.0) return true;
         State trial = state_;
         return equilibrium(trial, finestIncrement * whole, mostInSearch, false).ending != Ending::NoEquilibrium;
     }
 
-    /// Prescribed moves and dilations longer than a pseudo-step may be are taken in pieces.
+    /// Number of pieces of an increment in which prescribed displacements and dilation stay within the limit of a
+    /// pseudo-step.
     double piecesOfMotion() const {
         return std::max(1.0, std::ceil(longestDrive(a_, b_) / longestMoveOf(engine_.model)));
     }
@@ -291,15 +298,17 @@ private:
         progress_.done = progress_.under = next.share;
     }
 
-    /// What was found at its limit is released first: under new tributary lengths it may be under its limit again.
-    /// But an anchored point is judged under its new length: it may have left the rock.
+    /// Updates the bolt nodes, unless a limit has been reached. It is released first because it may no longer be
+    /// reached with the new tributary lengths. Only the limits of anchored points are checked with the new lengths,
+    /// since the point may have left the rock.
     StepEnding followUnlessAtLimit() {
         const std::optional<Limit> next = limit();
         const bool first = next && next->kind != LimitKind::Bond && next->kind != LimitKind::CurveEnd;
         return first ? StepEnding{} : follow();
     }
 
-    /// Gives nodes the blocks and shares they have now, and finds the equilibrium that goes with them.
+    /// Assigns the nodes to the blocks in which they lie now, with new tributary lengths, and finds the new
+    /// equilibrium.
     StepEnding follow() {
         const double small = followShare * engine_.model.size;
         for (int round = 0; round < mostRounds && followBolts(engine_.model, state_) > small; ++round) {
@@ -311,15 +320,16 @@ private:
         return {};
     }
 
-    /// Cuts the increment where the first limit is reached, if one is passed.
+    /// Shortens the increment to the point where the first limit is reached, if any limit is exceeded.
     StepEnding toFirstLimit(Reached& over) {
         std::vector<Limit> atEnd = heldLimits(engine_.model, over.state);
         if (!worstLimit(atEnd, 1.0 + reachedShare)) return {};
         over.atLimit = true;
         LimitSearch search(progress_.done, heldLimits(engine_.model, state_), over.share, std::move(atEnd));
-        Reached under{state_, progress_.done};  // where the tries begin
-        double nearest = std::numeric_limits<double>::max();  // to the limit, over it
-        int stalled = 0;  // tries since that was halved: equilibria are not exact enough for more
+        Reached under{state_, progress_.done};  // state from which the tries start
+        // smallest distance from the limit so far, as a fraction of the limit
+        double nearest = std::numeric_limits<double>::max();
+        int stalled = 0;  // tries since `nearest` was halved; equilibria are not exact enough for more
         for (int tries = 0;; ++tries) {
             const double middle = search.next();
             State trial = under.state;
@@ -342,11 +352,11 @@ private:
             else if (engine_.health.passes - before > longSearch) under = {std::move(trial), middle};
             search.take(middle, std::move(limits), off > 0.0);
             over.share = search.high();
-            if (tries > mostTries || search.width() <= narrowest) return {};  // the limit is passed in a jump
+            if (tries > mostTries || search.width() <= narrowest) return {};  // the limit is exceeded in a jump
         }
     }
 
-    /// The largest overload is released, alone; the next is judged at the equilibrium without it.
+    /// Releases only the limit that is exceeded most; the others are checked at the equilibrium after its release.
     StepEnding releaseOne() {
         const std::vector<Limit> limits = heldLimits(engine_.model, state_);
         const Limit released = worstLimit(limits, progress_.least).value();
@@ -370,19 +380,20 @@ private:
         return ending;
     }
 
-    /// Equilibrium after a release, at the same load.
+    /// Finds the equilibrium after a release, at the same load.
     StepEnding balanceAgain() {
         State trial = state_;
         const StepEnding ending = searchOn(trial, progress_.done);
         state_ = std::move(trial);
         progress_.moving = lettingGo(ending, state_);
-        if (progress_.moving) return {};  // what passed its limit is released next
+        if (progress_.moving) return {};  // limits exceeded during the motion are released next
         if (ending.ending != Ending::Done) return ending;
         ++state_.step;
         return follow();
     }
 
-    /// What is over its limit now and was not before was set over by the last release; with none yet, by the load.
+    /// Records the causes of the limits exceeded. A limit not exceeded before is attributed to the last release or,
+    /// before the first release, to the load.
     void noteCauses(const std::vector<Limit>& limits) {
         std::vector<PassedLimit> passed;
         for (const Limit& limit : limits)
@@ -404,7 +415,7 @@ private:
     const StaticSettings& settings_;
     StepObserver& observer_;
     IncrementProgress& progress_;
-    long left_ = 0;  // passes of a search that may be given up
+    long left_ = 0;  // iterations left in a search that may be given up
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Inertia, elasticity of the blocks, loads and what is prescribed; the links come
-// from the carriers.
+// Adds inertia, block elasticity, loads and prescribed displacements to a step; the
+// carriers add the links.
 #include "solver/engine/stage/step_build.h"
 
 #include "solver/engine/bolt/bolt.h"
@@ -14,14 +14,14 @@
 namespace keyblock {
 namespace {
 
-constexpr double smallestStrain = 1e-12;  // forces under that of such a strain count as none
+constexpr double smallestStrain = 1e-12;  // forces that cause smaller strains count as zero
 
-/// A force that strains a block by less than its digits can tell [N].
+/// Force at which the strain of a block is lost in round-off [N].
 double floorOf(const BlockModel& block, const Model& model) {
     return smallestStrain * block.youngsModulus * block.size * model.thickness;
 }
 
-/// Forces of the loads on every body, over a floor [N].
+/// Magnitude of the loads on each body plus a small minimum [N].
 std::vector<double> ownForces(const Model& model, const StepProblem& problem, const Eigen::VectorXd& external) {
     const Eigen::VectorXd forces = external.cwiseProduct(problem.weight);
     std::vector<double> own;

@@ -10,7 +10,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double countsFrom = 1e-5;  // of the largest energy: smaller losses are no impact, smaller leftovers no error
+// fraction of the largest energy: smaller losses are not an impact, smaller errors are ignored
+constexpr double countsFrom = 1e-5;
 
 bool isInContact(const State& state) {
     return std::any_of(state.contacts.begin(), state.contacts.end(), [](const Contact& c) { return c.normalForce > 0.0; });
@@ -26,7 +27,7 @@ bool StepEnergy::leavesMoreThan(double share) const {
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after) {
     if (!isInContact(before) && !isInContact(after)) return {};
     const Energy a = energyOf(model, before), b = energyOf(model, after);
-    // generalized-α may give back in one place what it takes in another: each term counts by its amount
+    // generalized-α may return energy to one term and take it from another, so each term counts by its magnitude
     const double lost = std::abs(b.friction - a.friction) + std::abs(b.plastic - a.plastic) +
                         std::abs(b.released - a.released) + std::abs(b.damped - a.damped);
     return {accountedEnergy(b) - accountedEnergy(a), lost, largestEnergy(model, after, b)};

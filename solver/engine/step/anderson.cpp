@@ -9,8 +9,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double changedAstray = 2.0;  // over the change before: what was remembered says nothing about here
-constexpr double regular = 1e-10;  // added to the diagonal of the normal equations, relative
+constexpr double changedAstray = 2.0;  // times the previous change: the stored iterates are then of no use
+constexpr double regular = 1e-10;  // relative increase of the diagonal of the normal equations
 
 }  // namespace
 
@@ -32,8 +32,8 @@ void AndersonMixing::remember(const Eigen::VectorXd& change, const Eigen::Vector
     linear_.col(newest_) = linear - lastLinear_;
 }
 
-/// Products of what is remembered with the change; their difference from those with the last one are the products with
-/// the newest column.
+/// Multiplies the stored columns by the change. The differences from the products with the previous change are the
+/// products with the newest column.
 void AndersonMixing::multiply(const Eigen::VectorXd& change) {
     const Eigen::VectorXd now = changes_.leftCols(kept_).transpose() * change;
     for (int j = 0; j < kept_; ++j) products_(newest_, j) = products_(j, newest_) = now[j] - withLast_[j];

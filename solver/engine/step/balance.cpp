@@ -12,16 +12,16 @@ namespace keyblock {
 namespace {
 
 constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
-constexpr int refined = 2;  // passes: the second solves for what round-off left of the first
-constexpr double ofOneBody = 10.0;  // times the tolerance: how far off a single body may be
+constexpr int refined = 2;  // iterations: the second one corrects the round-off error of the first
+constexpr double ofOneBody = 10.0;  // times the tolerance: limit for a single body
 
-/// True where nothing of a body is free to move.
+/// True if no unknown of a body is free.
 bool isDriven(const StepProblem& problem, int body) {
     const auto first = problem.known.begin() + problem.first(body);
     return std::all_of(first, first + problem.width(body), [](char known) { return known != 0; });
 }
 
-/// What the digits of loads and inertia leave on every body [N].
+/// Round-off error of the loads and the inertia force on each body [N].
 std::vector<double> ownNoise(const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> noise;
     noise.reserve(static_cast<std::size_t>(problem.blocks + problem.nodes));
@@ -52,7 +52,7 @@ Balance::Balance(const StepProblem& problem, const LinkRows& rows, const Trial& 
     compareBodies();
 }
 
-/// Summed forces of loads and links on every body.
+/// Adds up the magnitudes of the loads and link forces on each body.
 void Balance::addUpForces() {
     forces_ = problem_->ownForce;
     for (std::size_t i = 0; i < rows_->count(); ++i) {
@@ -64,7 +64,8 @@ void Balance::addUpForces() {
     }
 }
 
-/// What digits leave of them. A first solve leaves more where springs are stiff; the second takes that away.
+/// Adds up the round-off errors of these forces. The error of a first solution is larger if springs are stiff; a second
+/// solution corrects it.
 void Balance::addUpNoise() {
     noise_ = ownNoise(*problem_, trial_->d);
     const Eigen::VectorXd& d = trial_->d;

@@ -11,16 +11,17 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostDirections = 8, mostAtRest = 16;  // of GMRES, in motion and at rest
-constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // of the force, where friction slides
-constexpr double restTolerance = 1e-4;  // of the force, where friction slides near rest: what is left there drifts
-constexpr double restShare = 0.1;  // of the residual, farther from rest; the tight tolerance at most
-constexpr double nearBalance = 3e-3;  // residual from which the tight one holds
-constexpr double roundOff = 1e-8;  // of the force, where nothing slides
-constexpr double slidingTangent = 1e-3;  // of a law's stiffness: under less it slides
-constexpr double exhausted = 1e-14;  // of the first residual: GMRES has found the exact answer
+constexpr int mostDirections = 8, mostAtRest = 16;  // maximum number of GMRES iterations, in motion and at rest
+constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // fraction of the net force, with sliding friction
+// fraction of the net force, with sliding friction near rest: a larger error would add up to a drift
+constexpr double restTolerance = 1e-4;
+constexpr double restShare = 0.1;  // times the residual: tolerance farther from rest, but not above the tight one
+constexpr double nearBalance = 3e-3;  // residual up to which the tight tolerance applies
+constexpr double roundOff = 1e-8;  // fraction of the net force, without sliding
+constexpr double slidingTangent = 1e-3;  // fraction of a law's stiffness: a link with a smaller tangent is sliding
+constexpr double exhausted = 1e-14;  // fraction of the first residual: GMRES has found the exact solution
 
-/// A sliding link whose force changes by `factor` times the strain of another.
+/// A sliding link whose force changes by `factor` times the strain of the link that limits it.
 struct Sliding {
     std::size_t limited = 0, from = 0;
     double factor = 0.0;  // share included [N/m]
@@ -47,7 +48,7 @@ void freeOnly(const StepProblem& problem, Eigen::VectorXd& x) {
         if (problem.known[static_cast<std::size_t>(i)]) x[i] = 0.0;
 }
 
-/// The matrix of the step, with how sliding friction follows its normal forces: A + C.
+/// The matrix of the step including the dependence of sliding friction on the normal forces: A + C.
 class CoupledMatrix {
 public:
     CoupledMatrix(const StepProblem& problem, const LinkRows& rows, const StepMatrix& matrix,
@@ -56,7 +57,7 @@ public:
 
     bool slides() const { return !sliding_.empty(); }
 
-    /// (A + C)·x where the factor gives x under `force`.
+    /// The product (A + C)·x, where x is the solution of the factored system for `force`.
     Eigen::VectorXd times(const Eigen::VectorXd& x, const Eigen::VectorXd& force) {
         ++work_.products;
         Eigen::VectorXd sum = force;
@@ -93,7 +94,8 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     CoupledMatrix coupled(problem, rows, matrix, slidingLinks(problem, at), work);
     const bool slides = coupled.slides();
     if (matrix.exact() && !slides) return {x};
-    // with M the matrix of the factor: (A + C)·M⁻¹·u = what x leaves of the net force, by GMRES, and then x += M⁻¹·u
+    // Let M be the matrix of the factor, and r the net force left by x. GMRES solves (A + C)·M⁻¹·u = r; then M⁻¹·u is
+    // added to x.
     const Eigen::VectorXd start = net - coupled.times(x, net);
     const bool rests = !problem.mayLeave.empty();
     const double inMotion = residual > nearBalance ? looseTolerance : tightTolerance;

@@ -11,11 +11,11 @@ namespace keyblock {
 namespace {
 
 constexpr int mostDualSweeps = 36;
-constexpr double settledChange = 1e-5;  // change of the forces in a sweep over the forces
-constexpr int mixedSweeps = 6;  // sweeps that are mixed
-constexpr double slidingFrom = 1.0 - 1e-9;  // of its limit
-constexpr int limitCorrections = 2;  // of sliding forces, by the normal forces of the solution before
-constexpr double leastSweepHold = 1e-4;  // of a law's stiffness, where nothing else holds a body
+constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
+constexpr int mixedSweeps = 6;  // number of sweeps combined by Anderson mixing
+constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
+constexpr int limitCorrections = 2;  // corrections of the sliding forces by the normal forces of the previous solution
+constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
 
 }  // namespace
 
@@ -59,8 +59,8 @@ DualSweeps::Straight DualSweeps::straight(std::size_t n) const {
     return {force, swept_.tangent(n), strain, 0.0};
 }
 
-/// The other links, those of bolt nodes, give what they give at `from`; with the loads and prescribed moves that is what
-/// does not change while the contact forces are swept.
+/// Keeps the other links, those of bolt nodes, at their forces in `from`. Together with the loads and prescribed
+/// displacements these forces are constant while the contact forces are swept.
 void DualSweeps::holdTheRest(const Trial& from) {
     Eigen::VectorXd outer = padded(problem_.load);
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(outer.size());
@@ -76,8 +76,9 @@ void DualSweeps::holdTheRest(const Trial& from) {
     swept_.hold(outer);
 }
 
-/// Takes every swept law as straight in the state that its force says, and factors the matrix of that.
-/// \return false where it is singular.
+/// Replaces every swept law by the straight line for the state that its force indicates, and factors the resulting
+/// matrix.
+/// \return false if the matrix is singular.
 bool DualSweeps::straighten(StepMatrix& matrix, StepWork& work) {
     for (std::size_t n = 0; n < swept_.count(); ++n) laws_[swept_.linkOf(n)] = straight(n);
     const auto factored = [&](double least) {
@@ -92,7 +93,8 @@ bool DualSweeps::straighten(StepMatrix& matrix, StepWork& work) {
     return factored(0.0) || factored(leastSweepHold);
 }
 
-/// Forces of the straight laws at `strains`, kept within what the laws can give; what slides follows its limit.
+/// Evaluates the straight lines at `strains` and limits the forces to the range of their laws; sliding links are at
+/// their limits.
 void DualSweeps::takeForces(const std::vector<double>& strains) {
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         const std::size_t i = swept_.linkOf(n);

@@ -9,11 +9,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double equalWeight = 1e-9;  // relative: closer than this, two weights are equal
-constexpr double sameWeight = 1e-2;  // relative: a link whose weight has changed by less keeps the one it has
-constexpr double sameGradient = 1e-4;  // squared, relative: a link that has turned further is replaced
+constexpr double equalWeight = 1e-9;  // relative difference up to which two weights are equal
+constexpr double sameWeight = 1e-2;  // relative change of weight up to which a link keeps its weight in the factor
+constexpr double sameGradient = 1e-4;  // squared relative change of gradient beyond which a link is replaced
 
-/// Identifies a link from step to step; contacts by their features, because their numbers change.
+/// Key that identifies a link from step to step. Contacts are identified by their features, because their numbers
+/// change.
 std::uint64_t keyOf(const Link& link) {
     std::uint64_t key = 0;
     const auto mix = [&](std::uint64_t part) {
@@ -28,7 +29,7 @@ std::uint64_t keyOf(const Link& link) {
     return key;
 }
 
-/// Rows in the order of their keys; equal keys keep theirs.
+/// Rows sorted by key; rows with equal keys keep their order.
 std::vector<std::pair<std::uint64_t, int>> byKey(const std::vector<std::uint64_t>& keys) {
     std::vector<std::pair<std::uint64_t, int>> rows;
     rows.reserve(keys.size());
@@ -43,7 +44,7 @@ FactoredLink asNow(const LinkRows& rows, std::size_t i, double weight) {
     return link;
 }
 
-/// Difference of two weights over the larger.
+/// Difference of two weights, as a fraction of the larger one.
 double off(double a, double b) {
     const double larger = std::max(a, b);
     return larger > 0.0 ? std::abs(a - b) / larger : 0.0;

@@ -23,7 +23,7 @@ double limitFrom(const LimitPair& pair, double force) {
 
 void setLimit(StepProblem& problem, const LimitPair& pair, double force) {
     Law& limited = problem.links[static_cast<std::size_t>(pair.limited)].law;
-    // what is kept as a preload follows nothing
+    // a constant force kept during the preload search does not depend on other forces
     if (limited.kind == LawKind::Constant && pair.rule != LimitPair::Rule::Push) return;
     const bool weighted = ofContact(problem.links[static_cast<std::size_t>(pair.from)].kind);
     limited.limit = limitFrom(pair, weighted ? force / problem.contactShare : force);
@@ -33,7 +33,7 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     if (problem.limitPairs.empty()) return;
     std::vector<double> strains;
     linkStrains(problem, d, strains);
-    // under a mean force friction obeys the mean normal force, so that the impulses of an impact keep Coulomb's ratio
+    // with mean forces over the step, friction is limited by the mean normal force, so that impulses obey Coulomb's law
     for (const LimitPair& pair : problem.limitPairs) {
         const auto from = static_cast<std::size_t>(pair.from);
         setLimit(problem, pair, respond(problem, problem.links[from], strains[from]).force);

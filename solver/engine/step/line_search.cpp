@@ -12,9 +12,9 @@ namespace keyblock {
 namespace {
 
 constexpr int mostRootSweeps = 30;
-constexpr double flatEnough = 1e-3;  // of the slope at the start
+constexpr double flatEnough = 1e-3;  // fraction of the slope at the start
 
-/// What the net force does along a direction, times −1: the slope of the energy for given friction limits.
+/// Scalar product of the net force with a direction, times −1: the slope of the energy for given friction limits.
 class LineSlope {
 public:
     LineSlope(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
@@ -35,7 +35,7 @@ public:
         return slope;
     }
 
-    /// Leaves the friction limits of the last length in the problem.
+    /// Sets the friction limits of the problem to those of the last length.
     void keepLimits() {
         for (const int n : followers_) {
             const Row& row = rows_[static_cast<std::size_t>(n)];
@@ -48,7 +48,7 @@ private:
         double strain = 0.0, rate = 0.0, share = 1.0;
         FlatLaw law;
         int link = -1;
-        int from = -1, pair = -1;  // earlier row whose force sets the limit, and row of limitPairs; −1: the limit stays
+        int from = -1, pair = -1;  // earlier row whose force sets the limit, and row of limitPairs; −1: fixed limit
     };
 
     void takeBodies(const Eigen::VectorXd& d, const Eigen::VectorXd& direction) {

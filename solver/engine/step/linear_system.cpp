@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A supernodal factor for large systems, in the order and pattern that CHOLMOD finds,
-// and CHOLMOD's simplicial LLᵀ for small ones, whichever the counted work of the
-// analysis favours: never a clock, so that a scene takes the same way on every run.
-// LLᵀ rather than LDLᵀ because it stops at the first pivot that is not positive, which
-// is how a loose block is found.
+// Large systems are solved with a supernodal factor, in the ordering and pattern found
+// by CHOLMOD, and small ones with CHOLMOD's simplicial LLᵀ. The choice depends on the
+// operations counted by the analysis and never on measured time, so that a scene is
+// solved in the same way in every run. LLᵀ is used instead of LDLᵀ because it stops at
+// the first pivot that is not positive, which is how a loose block is found.
 //
-// The matrix is stored in the order in which its unknowns are eliminated, so that a
-// factorization reads it where it lies; CHOLMOD would permute a copy each time.
+// The matrix is stored in elimination order, so that a factorisation reads it in
+// place; CHOLMOD would permute a copy each time.
 //
-// Threads are kept out on purpose. CHOLMOD's own are nested in ours and slow a
-// thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
+// Threads are deliberately not used here. CHOLMOD's threads would be nested in those
+// of the solver and make a thousand blocks five times slower; OpenBLAS would split
+// sums according to the number of cores.
 #include "solver/engine/step/linear_system.h"
 
 #include "solver/engine/step/supernodal_factor.h"
@@ -33,20 +34,21 @@ namespace keyblock {
 
 namespace {
 
-/// A pivot below this share of its diagonal has lost all but four of its bits to cancellation: it is round-off.
+/// A pivot below this fraction of its diagonal entry has lost all but four bits to cancellation and is only round-off.
 constexpr double pivotFloor = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Ranks that are worth an update, over the operations per entry of a factor: 91 of them at a thousand blocks.
+/// Maximum number of ranks of a worthwhile update, over the operations per entry of a factor. With a thousand blocks it
+/// amounts to 91 ranks.
 constexpr double rankShare = 0.6;
 
-/// Neighbouring supernodes of no more columns than this are merged whatever zeros they share, or where these are a
-/// small part. Larger than CHOLMOD's own, because a block has six columns: with fewer supernodes less time goes into
-/// calls of the BLAS for small matrices.
+/// Column numbers up to which neighbouring supernodes are merged: always up to the first, and beyond it if the fraction
+/// of zeros is small enough. They are larger than CHOLMOD's defaults because a block has six columns: with fewer
+/// supernodes, less time is spent on BLAS calls for small matrices.
 constexpr std::size_t mergedColumns[] = {12, 24, 48};
 constexpr double mergedZeros[] = {0.8, 0.2, 0.1};
 
-/// Operations per entry of a factor from which supernodes are quicker than single columns: fewer than CHOLMOD's own 40,
-/// because a block has six columns that are alike; chains of bolt nodes have less.
+/// Operations per entry of a factor from which supernodes are faster than single columns. This is less than CHOLMOD's
+/// default of 40, because the six columns of a block have the same pattern. Chains of bolt nodes need fewer operations.
 constexpr double supernodesPay = 20.0;
 
 void useOneThread() {
@@ -55,27 +57,27 @@ void useOneThread() {
         return true;
     }();
     (void)done;
-    omp_set_max_active_levels(0);  // a setting of the calling thread, so made at every call
+    omp_set_max_active_levels(0);  // setting of the calling thread, therefore repeated at every call
 }
 
 }  // namespace
 
 struct LinearSystem::Detail {
     cholmod_common common{};
-    cholmod_sparse* matrix = nullptr;  // lower triangle in the order of elimination, rows sorted within each column
+    cholmod_sparse* matrix = nullptr;  // lower triangle in elimination order, rows sorted within each column
     cholmod_factor* factor = nullptr;
-    cholmod_factor* updated = nullptr;  // a simplicial one as LDLᵀ with ranks added and taken; none: it is `factor`
+    cholmod_factor* updated = nullptr;  // simplicial factor as LDLᵀ after updates; null: `factor` is up to date
     SupernodalFactor factoring;
     SupernodalUpdate supernodes;
-    cholmod_dense* workX = nullptr;  // kept between solutions: nothing is allocated in a loop of a million steps
+    cholmod_dense* workX = nullptr;  // kept between solutions, to avoid allocations in a loop of a million steps
     cholmod_dense* workY = nullptr;
     cholmod_dense* workE = nullptr;
     std::vector<double> residual;
     std::vector<double> correction;
-    std::vector<double> ordered;  // right side, then solution, in the order of elimination
-    std::vector<double> solved;  // work space of a supernodal solution
-    std::vector<int> order;  // unknowns in the order of elimination
-    std::vector<int> place;  // of every unknown in that order
+    std::vector<double> ordered;  // right-hand side, then solution, in elimination order
+    std::vector<double> solved;  // workspace of a supernodal solution
+    std::vector<int> order;  // unknowns in elimination order
+    std::vector<int> place;  // position of each unknown in that order
 
     Detail() {
         useOneThread();
@@ -116,23 +118,24 @@ struct LinearSystem::Detail {
         if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
     }
 
-    /// Column pointers and rows of the lower triangle in the present order without repeats, in time proportional to the
-    /// entries.
+    /// Builds the column pointers and row indices of the lower triangle in the current order, without duplicates, in
+    /// time proportional to the number of entries.
     void buildPattern(int n, std::span<const std::pair<int, int>> pairs);
 
-    /// Analyses the pattern in the order in which it is stored, or in one that AMD finds.
+    /// Analyses the pattern, in the order in which it is stored or in an order found by AMD.
     void analyseBy(int ordering);
 
-    /// Prepares factorizations and updates by supernodes, and the room for the values of the factor.
+    /// Prepares supernodal factorisations and updates, and allocates the values of the factor.
     void analyseSupernodes();
 
-    /// Column whose pivot is not positive, or −1.
+    /// Factors the matrix.
+    /// \return the column whose pivot is not positive, or −1.
     int factorize();
 
-    /// Takes over the order that the analysis found.
+    /// Adopts the order found by the analysis.
     void takeOrder();
 
-    /// Calls `visit(column, pivot)` with every diagonal value of L, columns in the order of elimination.
+    /// Calls `visit(column, pivot)` for every diagonal entry of L, in elimination order.
     template <class Visit>
     void forEachPivot(Visit visit) const;
 
@@ -145,14 +148,14 @@ struct LinearSystem::Detail {
     void backSubstitute(std::span<const double> rhs, std::span<double> x);
     void solveColumns();
 
-    /// The columns with their rows in the order of elimination.
+    /// The columns with their row indices in elimination order.
     std::vector<SparseColumn> inOrder(std::span<const SparseColumn> columns) const;
 
-    /// Such columns as a sparse matrix.
+    /// Converts such columns to a sparse matrix.
     cholmod_sparse* sparse(std::span<const SparseColumn> columns);
 
-    /// Adds or takes ranks, by the second from such columns and into a simplicial factor.
-    /// \return false where a pivot is not positive any more.
+    /// Add or remove ranks. `updateColumns` expects columns in elimination order and updates a simplicial factor.
+    /// \return false if a pivot is no longer positive.
     bool update(bool add, std::span<const SparseColumn> columns);
     bool updateColumns(bool add, std::span<const SparseColumn> columns);
 };
@@ -239,7 +242,7 @@ void LinearSystem::Detail::forEachPivot(Visit visit) const {
 int LinearSystem::Detail::lostPivot() const {
     int lost = -1;
     forEachPivot([&](std::size_t column, double pivot) {
-        // The diagonal of A stands first in its column; !(…) catches NaN as well.
+        // The diagonal entry of A comes first in its column; !(…) also catches NaN.
         const double diagonal = entries()[columns()[column]];
         if (lost < 0 && !(pivot * pivot > pivotFloor * diagonal)) lost = static_cast<int>(column);
     });

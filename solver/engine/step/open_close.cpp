@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The classical open–close iteration (Shi 1988): solve with the states of all
-// contacts held (open, sliding, locked), judge them again from the solution,
-// and repeat until none changes. It may go round for ever; then the step is
-// cut. Kept as a reference for the convex step, whose mechanics are the same.
+// The classical open–close iteration (Shi 1988): solve with the states of all contacts
+// fixed (open, sliding, locked), determine the states again from the solution, and
+// repeat until none changes. It may cycle endlessly; the time step is then reduced. It
+// is kept as a reference for the convex step, which has the same mechanics.
 #include "solver/engine/step/balance.h"
 #include "solver/engine/step/friction_limits.h"
 #include "solver/engine/step/step_forces.h"
@@ -16,9 +16,10 @@
 namespace keyblock {
 namespace {
 
-constexpr int mayBeRoundOff = 2;  // passes after which what is left may be round-off: a held step is linear
+// iterations after which the remaining force may be round-off: with fixed states a step is linear
+constexpr int mayBeRoundOff = 2;
 
-/// Of a law: open or sliding forwards, held, sliding backwards.
+/// State of a law: closed or sticking (`Held`), sliding backwards or forwards, or open.
 enum class LinkState : signed char { Backward = -1, Held = 0, Forward = 1, Open = 2 };
 
 LinkState stateOf(const Law& law, double strain) {
@@ -36,7 +37,7 @@ std::vector<LinkState> judge(const StepProblem& problem, const Eigen::VectorXd& 
     return states;
 }
 
-/// Every contact keeps its state, whatever the displacement: the step becomes linear.
+/// Fixes the state of every contact, whatever the displacement, so that the step becomes linear.
 StepProblem held(const StepProblem& problem, const std::vector<LinkState>& states) {
     StepProblem frozen = problem;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -52,7 +53,7 @@ StepProblem held(const StepProblem& problem, const std::vector<LinkState>& state
     return frozen;
 }
 
-/// True where no changed state makes a force differ by more than the tolerance lets pass on either body.
+/// True if no change of state changes a force by more than the tolerance of either body.
 bool sameForces(const StepProblem& problem, const StepProblem& frozen, const std::vector<LinkState>& before,
                 const std::vector<LinkState>& after, const Eigen::VectorXd& d, const Balance& balance,
                 double tolerance) {
@@ -69,7 +70,8 @@ bool sameForces(const StepProblem& problem, const StepProblem& frozen, const std
     return true;
 }
 
-/// One linear step under the states that are held, from `d`. \return false where the matrix is singular.
+/// Makes one linear step from `d` with fixed states.
+/// \return false if the matrix is singular.
 bool solveHeld(const StepProblem& frozen, const LinkRows& rows, StepMatrix& matrix, Eigen::VectorXd& d,
                SolveReport& report) {
     std::vector<double> strains, weights(rows.count());

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forces of a step at a trial displacement. Links are evaluated side by side,
-// each into its own place; sums run in the order of the links, so that the
-// number of threads never shows in a result.
+// Forces of a step at a trial displacement. Links are evaluated in parallel, each into
+// its own element; sums are formed in the order of the links, so that results do not
+// depend on the number of threads.
 #include "solver/engine/step/step_forces.h"
 
 #include "solver/engine/step/parallel.h"
@@ -33,13 +33,13 @@ Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d,
     return sum;
 }
 
-/// \param forces of the links, shares included.
+/// \param forces the forces of the links, multiplied by `Law::share`.
 double largestSum(const StepProblem& problem, const std::vector<double>& forces, const Eigen::VectorXd& net) {
     double contact = 0.0, bolt = 0.0, reaction = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i) {
         const LinkKind kind = problem.links[i].kind;
         if (ofContact(kind)) contact += std::abs(forces[i]);
-        else if (kind == LinkKind::Glue) continue;  // within a block, like its stress
+        else if (kind == LinkKind::Glue) continue;  // acts within a block, like its stress
         else if (kind == LinkKind::Support) reaction += std::abs(forces[i]);
         else if (kind != LinkKind::Bend && kind != LinkKind::Shear && kind != LinkKind::Drag) bolt += std::abs(forces[i]);
     }

@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double sameBody = 1e-3;  // relative: a factor with bodies this close is kept
+constexpr double sameBody = 1e-3;  // relative change of a body's stiffness up to which a factor is kept
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;
@@ -18,7 +18,8 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     for (int body = 0; body < problem.blocks + problem.nodes; ++body) pairs.emplace_back(body, body);
     for (const Link& link : problem.links) {
         const std::pair pair(std::max(link.a, link.b), std::min(link.a, link.b));
-        if (link.b >= 0 && pair != pairs.back()) pairs.push_back(pair);  // links of two bodies come together
+        // links between the same two bodies are adjacent
+        if (link.b >= 0 && pair != pairs.back()) pairs.push_back(pair);
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -102,7 +103,7 @@ void StepMatrix::findSlots(const StepProblem& problem) {
     }
 }
 
-/// Summed up pair by pair first, so that the sparse matrix is gone through once and not for every link.
+/// Adds up the links pair by pair first, so that the sparse matrix is traversed only once and not for every link.
 void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights) {
     sums_.assign(pairs_.size(), Matrix6::Zero());
     const auto sumOf = [&](int pair) -> Matrix6& { return sums_[static_cast<std::size_t>(pair)]; };
@@ -149,7 +150,7 @@ int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, s
     return -1;
 }
 
-/// \return false where that takes more than a full factor, or fails.
+/// \return false if an update costs more than a full factorisation, or fails.
 bool StepMatrix::update(const LinkRows& rows, std::span<const double> weights, StepWork& work) {
     const FactoredLinks::Changes changes = links_.changesTo(rows, weights);
     exact_ = exact_ && !changes.rounded;
@@ -162,7 +163,7 @@ bool StepMatrix::update(const LinkRows& rows, std::span<const double> weights, S
     return current_;
 }
 
-/// What a link adds to the matrix, c·cᵀ, by its column c.
+/// Columns c of the contributions c·cᵀ of the links to the matrix.
 std::vector<SparseColumn> StepMatrix::columnsOf(std::span<const FactoredLink> links) const {
     std::vector<SparseColumn> columns(links.size());
     for (std::size_t c = 0; c < links.size(); ++c) {

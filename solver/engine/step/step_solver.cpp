@@ -13,16 +13,19 @@
 namespace keyblock {
 namespace {
 
-constexpr double stall = 0.2;  // a line search that goes less far has met the wrong states
-constexpr double astray = 2.0;  // times the residual before: so has a step that leaves more
-constexpr double improves = 0.2;  // of the residual: a full step that leaves no more, or balances, needs no line search
-constexpr int patience = 20;  // iterations after which one that balances worse is made shorter, lest they go in a circle
-constexpr double shortest = 1.0 / 50.0;  // step that is tried then
-constexpr int mostSweeps = 8, mostUseless = 2;  // times that sweeps are tried in a step, and in vain
-constexpr double easy = 2e-3;  // residual from which Newton needs no sweeps
-constexpr double farFromBalance = 1e-2;  // residual from which Newton's line search soon stalls
-constexpr double helps = 0.2;  // of the residual before: sweeps that leave less may go on
-constexpr double leastHold = 1e-6;  // of a law's stiffness, where nothing holds a body
+constexpr double stall = 0.2;  // step length of a line search below which the contact states must be wrong
+constexpr double astray = 2.0;  // times the previous residual: the same holds if a step leaves more
+// times the previous residual: a full step that leaves no more, or converges, needs no line search
+constexpr double improves = 0.2;
+// iterations after which a step that increases the residual is shortened, to prevent cycles
+constexpr int patience = 20;
+constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
+// maximum number of times that sweeps are tried in a step, and that they fail
+constexpr int mostSweeps = 8, mostUseless = 2;
+constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
+constexpr double farFromBalance = 1e-2;  // residual above which the line search of Newton's method soon stalls
+constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
+constexpr double leastHold = 1e-6;  // fraction of a law's stiffness, used if nothing restrains a body
 
 std::vector<double> limitsOf(const StepProblem& problem) {
     std::vector<double> limits;
@@ -43,7 +46,7 @@ int bodyOf(const StepProblem& problem, int unknown) {
     return unknown < 6 * problem.blocks ? unknown / 6 : problem.blocks + (unknown - 6 * problem.blocks) / 3;
 }
 
-/// One solution of a step.
+/// Solution of one step.
 class StepSolver::Newton {
 public:
     Newton(StepProblem& problem, StepMatrix& matrix, const SolveSettings& settings,
@@ -64,7 +67,8 @@ public:
     }
 
 private:
-    /// The better of the two starts: shaking from step to step says nothing of where a block comes to rest.
+    /// Starts from zero displacement or from `guess`, whichever has the smaller residual: vibration from step to step
+    /// does not show where a block will come to rest.
     void begin(Eigen::VectorXd guess) {
         if (settings_.again) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
@@ -127,7 +131,7 @@ private:
         swept_ = d.has_value();
     }
 
-    /// Sweeps that help but have not come far enough go on; those that balance worse are taken back.
+    /// Continues sweeps that reduce the residual but not enough; undoes those that increase it.
     void judgeSweeps() {
         swept_ = false;
         if (report_.residual <= residualBefore_) {
@@ -139,7 +143,8 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = false;
     }
 
-    /// One step of Newton's: all of it where that balances better, else as far as the line search lets it go.
+    /// Makes one Newton step: the full step if that reduces the residual enough, otherwise the length that the line
+    /// search finds.
     void step() {
         if (!factor()) return;
         const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.residual, report_.work);
@@ -173,8 +178,8 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
-    /// A contact that barely touches or barely does not, or whose friction is as small: its state matters less than a
-    /// change of the factor.
+    /// True for a contact that is barely closed or barely open, or whose friction is equally small: its state matters
+    /// less than a change of the factor.
     bool isIndifferent(std::size_t i) const {
         const Link& link = problem_.links[i];
         if (link.law.kind != LawKind::Gap && link.kind != LinkKind::Friction) return false;
@@ -208,9 +213,9 @@ private:
     Trial trial_;
     std::optional<Balance> balance_;
     SolveReport report_;
-    std::vector<double> carried_;  // forces of the links before the step, where sweeps may begin from them
+    std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
-    bool sweeps_ = false, swept_ = false;  // to be made next; were made last
+    bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
     int tries_ = 0, useless_ = 0;
     Trial beforeSweeps_;
     double residualBefore_ = 0.0;

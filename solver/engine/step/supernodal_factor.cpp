@@ -11,7 +11,8 @@ extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int
 namespace keyblock {
 namespace {
 
-/// Factors the columns of a supernode by themselves. \return its column whose pivot is not positive, or −1.
+/// Factors the columns of a supernode on their own.
+/// \return the column of the supernode whose pivot is not positive, or −1.
 int factorAlone(const Supernode& node) {
     int info = 0;
     dpotrf_("L", &node.width, node.values, &node.height, &info);
@@ -48,7 +49,7 @@ int SupernodalFactor::apply(const cholmod_sparse& matrix, cholmod_factor& factor
     return -1;
 }
 
-/// The columns of the matrix, spread over the rows of the factor.
+/// Copies the columns of the matrix to the rows that they have in the factor.
 void SupernodalFactor::take(const cholmod_sparse& matrix, const Supernode& node) {
     const auto *start = static_cast<const int*>(matrix.p), *rows = static_cast<const int*>(matrix.i);
     const auto* entries = static_cast<const double*>(matrix.x);
@@ -60,7 +61,7 @@ void SupernodalFactor::take(const cholmod_sparse& matrix, const Supernode& node)
     }
 }
 
-/// The last that came into the list is the first to be subtracted.
+/// Subtracts the updates of all waiting supernodes. The one that was added to the list last is subtracted first.
 void SupernodalFactor::subtractAll(const cholmod_factor& factor, std::size_t s, const Supernode& node) {
     for (int d = first_[s]; d >= 0;) {
         const auto at = static_cast<std::size_t>(d);
@@ -71,7 +72,8 @@ void SupernodalFactor::subtractAll(const cholmod_factor& factor, std::size_t s, 
     }
 }
 
-/// Subtracts from the columns of `node` what `from` has in their rows. \return rows of `from` that are done then
+/// Subtracts the update by `from` from the columns of `node`.
+/// \return the number of rows of `from` that have then been used.
 int SupernodalFactor::subtract(const Supernode& from, int done, const Supernode& node) {
     int end = done;
     while (end < from.height && from.rows[end] < node.first + node.width) ++end;
@@ -90,7 +92,7 @@ int SupernodalFactor::subtract(const Supernode& from, int done, const Supernode&
     return end;
 }
 
-/// Puts a supernode first in the list of the one that holds the first of its rows that have not been subtracted.
+/// Puts a supernode at the head of the list for the supernode that contains its first unused row.
 void SupernodalFactor::wait(std::size_t s, const Supernode& node, int done) {
     int& first = first_[static_cast<std::size_t>(supernodeOf_[static_cast<std::size_t>(node.rows[done])])];
     waiting_[s] = {first, done};

@@ -13,10 +13,10 @@
 namespace keyblock {
 namespace {
 
-constexpr int panelColumns = 12;  // columns at a time: two blocks
+constexpr int panelColumns = 12;  // columns per panel: two blocks
 
-/// Solves with a triangle of `count` columns, the first entry of which is at `corner`, from its first row to its last.
-/// What is solved for lies in a copy that the compiler keeps in registers.
+/// Solves with a lower triangle of `count` columns, whose first entry is at `corner`, from the first row to the last.
+/// The unknowns are in a copy that the compiler keeps in registers.
 template <int count>
 void solveDown(const double* corner, int stride, double* t) {
     std::array<double, count> x;
@@ -30,7 +30,7 @@ void solveDown(const double* corner, int stride, double* t) {
     std::copy_n(x.begin(), count, t);
 }
 
-/// The same with the transposed triangle, from its last row to its first.
+/// Solves with the transposed triangle, from the last row to the first.
 template <int count>
 void solveUp(const double* corner, int stride, double* t) {
     std::array<double, count> x;
@@ -47,7 +47,8 @@ void solveUp(const double* corner, int stride, double* t) {
 
 using Solve = void (*)(const double* corner, int stride, double* t);
 
-/// By number of columns. Loops of known length are unrolled: a processor foretells badly where loops of a few rounds end.
+/// Functions by number of columns. Loops of known length are unrolled, because processors predict the end of short
+/// loops poorly.
 template <std::size_t... counts>
 constexpr std::array<Solve, panelColumns + 1> downBy(std::index_sequence<counts...>) {
     return {solveDown<static_cast<int>(counts)>...};
@@ -61,13 +62,13 @@ constexpr std::array<Solve, panelColumns + 1> upBy(std::index_sequence<counts...
 constexpr auto down = downBy(std::make_index_sequence<panelColumns + 1>());
 constexpr auto up = upBy(std::make_index_sequence<panelColumns + 1>());
 
-/// Has the processor fetch a triangle that comes next: its columns lie too far apart to be fetched in time otherwise.
+/// Prefetches the next triangle, whose columns are too far apart for the processor to fetch them in time by itself.
 void fetch(const Supernode& node, int begin) {
     const int end = std::min(begin + panelColumns, node.width);
     for (int j = begin; j < end; ++j) __builtin_prefetch(node.at(j, j));
 }
 
-/// \param t the rows of the supernode; those below the diagonal collect what its columns take from them.
+/// \param t the rows of the supernode; those below the diagonal accumulate the contributions of its columns.
 void forward(const Supernode& node, double* t) {
     for (int begin = 0; begin < node.width; begin += panelColumns) {
         const int end = std::min(begin + panelColumns, node.width);

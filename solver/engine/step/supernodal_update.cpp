@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// With L₁ and L₂ the columns of a supernode on its diagonal and below, W₁ and W₂ the
-// same rows of k ranks, and V = L₁⁻¹·W₁, the new columns are L₁·T and
-// (L₂ ± W₂·Vᵀ)·T⁻ᵀ with T·Tᵀ = 1 ± V·Vᵀ. What is left for the supernodes above
-// is the ranks (W₂ − L₂·V)·S⁻ᵀ with S·Sᵀ = 1 ± Vᵀ·V, by Woodbury's identity.
+// Let L₁ and L₂ be the columns of a supernode in its diagonal block and below, W₁ and
+// W₂ the same rows of k ranks, and V = L₁⁻¹·W₁. The new columns are L₁·T and
+// (L₂ ± W₂·Vᵀ)·T⁻ᵀ with T·Tᵀ = 1 ± V·Vᵀ. By Woodbury's identity, the ranks that remain
+// for the supernodes above are (W₂ − L₂·V)·S⁻ᵀ with S·Sᵀ = 1 ± Vᵀ·V.
 #include "solver/engine/step/supernodal_update.h"
 
 #include <Eigen/Cholesky>
@@ -17,15 +17,16 @@ namespace keyblock {
 namespace {
 
 constexpr int leastPanel = 8, mostPanel = 24;  // columns
-constexpr std::size_t groupSize = 32;  // ranks at once, bits of a mask: more would cost more between each other
+// ranks per group, one bit of a mask each: the cost of products between ranks grows with the group
+constexpr std::size_t groupSize = 32;
 
-/// Inverse of a lower triangle, in place; what is above it stays zero.
+/// Inverts a lower triangle in place; the entries above it remain zero.
 void invertLower(Eigen::Map<Eigen::MatrixXd> a) {
     const Eigen::Index n = a.rows();
     for (Eigen::Index j = 0; j < n; ++j) {
         a(j, j) = 1.0 / a(j, j);
         for (Eigen::Index i = j + 1; i < n; ++i) a(i, j) *= a(j, j);
-        // column j of the inverse by the columns behind it, which are still those of the factor
+        // column j of the inverse is computed from the later columns, which are still those of the factor
         for (Eigen::Index k = j + 1; k < n; ++k) {
             const double x = a(k, j) /= -a(k, k);
             for (Eigen::Index i = k + 1; i < n; ++i) a(i, j) += x * a(i, k);
@@ -33,8 +34,8 @@ void invertLower(Eigen::Map<Eigen::MatrixXd> a) {
     }
 }
 
-/// Cholesky factor of 1 + sign·V·Vᵀ, or of 1 + sign·Vᵀ·V, in the lower triangle of `result` (n×n), zeros above.
-/// \param v of `rows` rows and `columns` columns.
+/// Cholesky factor of 1 + sign·V·Vᵀ or of 1 + sign·Vᵀ·V, in the lower triangle of `result` (n×n), with zeros above it.
+/// \param v a matrix of `rows` rows and `columns` columns.
 bool factorOfSum(CBLAS_TRANSPOSE transpose, double sign, const std::vector<double>& v, int rows, int columns,
                  std::vector<double>& result) {
     const int n = transpose == CblasNoTrans ? rows : columns, k = transpose == CblasNoTrans ? columns : rows;
@@ -62,7 +63,7 @@ bool SupernodalUpdate::apply(cholmod_factor& factor, bool add, std::span<const S
     std::vector<std::pair<int, const SparseColumn*>> sorted;
     for (const SparseColumn& column : columns)
         if (!column.empty()) sorted.emplace_back(firstRow(column), &column);
-    // neighbours in the order of elimination share most of their way to the root
+    // neighbours in elimination order share most of their path to the root
     std::stable_sort(sorted.begin(), sorted.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     std::vector<const SparseColumn*> group;
     for (std::size_t begin = 0; begin < sorted.size(); begin += groupSize) {
@@ -94,7 +95,7 @@ bool SupernodalUpdate::applyGroup(cholmod_factor& factor, double sign, std::span
     return true;
 }
 
-/// Collects the rows of a supernode, and clears those on its diagonal, of which nothing will be left.
+/// Collects the rows of a supernode, and clears those of its diagonal block, in which nothing will remain.
 void SupernodalUpdate::gather(const Supernode& node, std::uint32_t ranks) {
     const auto height = static_cast<std::size_t>(node.height);
     gathered_.resize(height * groupSize);
@@ -115,7 +116,7 @@ void SupernodalUpdate::scatter(const Supernode& node, std::uint32_t ranks) {
     }
 }
 
-/// A few columns at a time: what the columns of a panel cost between each other rises with its width.
+/// Updates a few columns at a time, because the cost per column increases with the width of a panel.
 bool SupernodalUpdate::update(const Supernode& node, double sign, int ranks) {
     const int panel = std::clamp(ranks, leastPanel, mostPanel);
     for (int at = 0; at < node.width; at += panel) {
@@ -127,7 +128,8 @@ bool SupernodalUpdate::update(const Supernode& node, double sign, int ranks) {
     return true;
 }
 
-/// Columns under the ranks in `gathered_`, which has the rows of the panel; what is left of them comes into `left_`.
+/// Updates the columns of a panel by the ranks in `gathered_`, which has the rows of the panel. The remainders of the
+/// ranks are stored in `left_`.
 bool SupernodalUpdate::updatePanel(const Panel& panel, double sign, int ranks) {
     const int n = panel.width;
     const Eigen::Map<const Eigen::MatrixXd> gathered(gathered_.data(), panel.height, ranks);
@@ -142,7 +144,7 @@ bool SupernodalUpdate::updatePanel(const Panel& panel, double sign, int ranks) {
     return true;
 }
 
-/// Products with the inverses of the small factors, because the BLAS multiplies faster than it solves.
+/// Multiplies by the inverses of the small factors, because the BLAS multiplies faster than it solves.
 void SupernodalUpdate::updateBelow(const Panel& panel, double sign, int ranks) {
     const int n = panel.width, h = panel.height, m = h - n, stride = panel.stride;
     invertLower({diagonal_.data(), n, n});
@@ -164,12 +166,13 @@ void SupernodalUpdate::updateBelow(const Panel& panel, double sign, int ranks) {
     multiply(CblasTrans, m, n, n, 1.0, work_.data(), m, diagonal_.data(), n, 0.0, below, stride);
 }
 
-/// L₁·T. \return false where that is not finite.
+/// Multiplies the diagonal block by T.
+/// \return false if the result is not finite.
 bool SupernodalUpdate::timesDiagonal(const Panel& panel) const {
     const int n = panel.width;
     Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> own(panel.values, n, n, Eigen::OuterStride<>(panel.stride));
     const Eigen::Map<const Eigen::MatrixXd> factor(diagonal_.data(), n, n);
-    for (int j = 0; j < n; ++j)  // in place: column j needs no column before it
+    for (int j = 0; j < n; ++j)  // in place: column j does not depend on earlier columns
         for (int i = n - 1; i >= j; --i) {
             double sum = 0.0;
             for (int k = j; k <= i; ++k) sum += own(i, k) * factor(k, j);

@@ -15,11 +15,12 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Root of x + a·force(x) = free, which rises with slope 1 at least: Newton's steps, halved where they leave the bracket.
+/// Root of x + a·force(x) = free by Newton's method, with bisection if a step leaves the bracket. The left-hand side
+/// increases with a slope of at least 1.
 template <class ForceAt>
 double rootOf(const ForceAt& forceAt, double a, double free, double x) {
     constexpr int mostSteps = 60;
-    constexpr double nearRoot = 1e-7;  // of what the force moves
+    constexpr double nearRoot = 1e-7;  // fraction of the strain due to the force
     double low = -unlimited, high = unlimited;
     for (int step = 0; step < mostSteps; ++step) {
         const LawResponse r = forceAt(x);
@@ -153,7 +154,7 @@ void SweptLinks::clip(std::vector<double>& forces) {
     }
 }
 
-/// Moves the two blocks of a row by what its force pushes them.
+/// Moves the two blocks of a row by the effect of a force on them.
 inline void SweptLinks::move(const Row& row, double force) {
     const double moves = -row.share * force;
     Eigen::Map<Vector6>(moved_.data() + row.firstA) += moves * Eigen::Map<const Vector6>(row.gradient.data());
@@ -176,7 +177,7 @@ void SweptLinks::clipPlaced(std::vector<double>& forces) {
     }
 }
 
-/// Force of a link that would be strained by `free` if it gave none.
+/// Force of a link that would have the strain `free` without its own force.
 double SweptLinks::bentForce(const Row& row, double free, double force) {
     const Link& link = problem_.links[row.link];
     const auto forceAt = [&](double x) { return respond(problem_, link, x); };

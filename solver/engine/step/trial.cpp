@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-/// Laws and forces at the strains that are there already.
+/// Evaluates the laws and the net forces at the current strains.
 void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     trial.laws.resize(rows.count());
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };

@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-/// Chung and Hulbert's parameters, all from the spectral radius at infinite stiffness.
+/// Chung and Hulbert's parameters, all derived from the spectral radius at infinite frequency.
 SchemeFactors generalizedAlpha(double rho, double dt) {
     const double alphaM = (2.0 * rho - 1.0) / (rho + 1.0), alphaF = rho / (rho + 1.0);
     const double gamma = 0.5 - alphaM + alphaF, beta = 1.0 / ((rho + 1.0) * (rho + 1.0));
@@ -44,7 +44,7 @@ void setVelocities(State& state, const Eigen::VectorXd& velocity) {
         }
 }
 
-/// Blocks that a contact pushes at the start, at the end or on the way.
+/// Blocks with a contact force at the start, at the end or over the step.
 std::vector<char> pushedBlocks(const StepProblem& problem, const std::vector<double>& strains) {
     std::vector<char> pushed(static_cast<std::size_t>(problem.blocks), 0);
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -58,7 +58,7 @@ std::vector<char> pushedBlocks(const StepProblem& problem, const std::vector<dou
     return pushed;
 }
 
-/// What the contacts that still act at the step's end gave in it, over the mass.
+/// Acceleration due to the forces over the step of those contacts that still act at its end.
 Eigen::VectorXd lastingThrust(const Model& model, const StepProblem& problem, const std::vector<double>& strains) {
     Eigen::VectorXd push = Eigen::VectorXd::Zero(problem.unknowns());
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -71,7 +71,7 @@ Eigen::VectorXd lastingThrust(const Model& model, const StepProblem& problem, co
     return byMass(model, problem, push);
 }
 
-/// Filters what strains much stiffer than the step would ring on with after a knock (theory, "Time").
+/// Filters out the vibration after an impact of strains that are too stiff for the time step (theory, "Time").
 void settleStrains(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, double dt,
                    Eigen::VectorXd& velocity, Eigen::VectorXd& acceleration) {
     std::vector<double> strains;
@@ -89,7 +89,7 @@ void settleStrains(const Model& model, const StepProblem& problem, const Eigen::
         const Eigen::Vector3d rate = d.segment<3>(spin + 1) / dt, thrust = push.segment<3>(spin + 1);
         const Eigen::Vector3d change = rate + slow(velocity.segment<3>(spin + 1) - rate) - velocity.segment<3>(spin + 1);
         velocity.segment<3>(spin + 1) += change;
-        if (!problem.known[static_cast<std::size_t>(spin)] && mass(2, 2) > 0.0)  // the moment of momentum stays
+        if (!problem.known[static_cast<std::size_t>(spin)] && mass(2, 2) > 0.0)  // conserves angular momentum
             velocity[spin] -= mass.block<1, 3>(2, 3).dot(change) / mass(2, 2);
         acceleration.segment<3>(spin + 1) = slow(acceleration.segment<3>(spin + 1) + thrust) - thrust;
     }
@@ -144,7 +144,8 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
             const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
     const Eigen::VectorXd before = velocitiesOf(model, state), acceleration = accelerationsOf(model, state);
-    // under generalized-α contacts give a velocity of their own, as Newmark's; accelerations are those of the rest
+    // with generalized-α, contacts contribute a velocity of their own, as in Newmark; accelerations exclude contact
+    // forces
     Eigen::VectorXd push = Eigen::VectorXd::Zero(d.size()), kick = push;
     if (carriesAccelerations(options.inertia)) {
         push = contactForce(problem, d);
@@ -159,7 +160,7 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
     }
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
-    // ½(v⁺ + v)·M·(v⁺ − v), row by row: what moves by itself and what is driven
+    // ½(v⁺ + v)·M·(v⁺ − v), row by row: kinetic energy gained by free and by driven unknowns
     const Eigen::VectorXd gained = 0.5 * (after + before).cwiseProduct(timesMass(model, after - before));
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) state.energy.external += gained[i];
