@@ -64,7 +64,7 @@ void writeInto(const fs::path& file, const fs::path& shown, const std::function<
         fail(shown, errno != 0 ? errno : EIO);
 }
 
-/// Where a link leads, whether or not something is there.
+/// Target of a link, whether or not it exists.
 fs::path linkTarget(fs::path path) {
     constexpr int longestChain = 40;
     std::error_code error;

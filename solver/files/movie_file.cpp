@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ffmpeg runs in a process group of its own, so that Ctrl+C reaches this program
-// alone, which then ends it. Neither pipe is ever waited for without an end.
+// ffmpeg runs in its own process group, so that Ctrl+C reaches only this program,
+// which then stops it. The program never waits indefinitely for either pipe.
 #include "solver/files/movie_file.h"
 
 #include "solver/files/atomic_file.h"
@@ -27,9 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience = 20;  // between two looks at `stop` [ms]
+constexpr int patience = 20;  // interval between checks of `stop` [ms]
 
-/// Where a program is found by its name; empty when it is not.
+/// Path of a program with this name; empty if it is not found.
 std::string findProgram(const std::string& name) {
     const char* path = ::getenv("PATH");
     std::istringstream folders(path ? path : "");
@@ -74,7 +74,7 @@ void close(int& descriptor) {
     descriptor = -1;
 }
 
-/// A child with its own group and signals as they are by default.
+/// Starts a child process with its own process group and default signal handling.
 int spawn(const std::string& program, const std::vector<std::string>& words, int input, int messages, int& process) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -105,7 +105,7 @@ bool canWriteMovies() { return !findProgram("ffmpeg").empty(); }
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
     if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
-    writeAtomically(part_, [](std::ostream&) {});  // reports at once, and better, what ffmpeg would report late
+    writeAtomically(part_, [](std::ostream&) {});  // reports an error at once, and more clearly than ffmpeg would later
     const std::string program = findProgram("ffmpeg");
     if (program.empty()) {
         fs::remove(part_);
@@ -154,7 +154,7 @@ bool MovieFile::hasEnded() {
     return process_ < 0;
 }
 
-/// The first line that ffmpeg said is why; those after it follow from it.
+/// The first line of ffmpeg's messages gives the cause; the following lines result from it.
 void MovieFile::fail() {
     const std::string why = said_.substr(0, said_.find('\n'));
     throw CannotWrite("cannot write " + path_.string() + ": ffmpeg failed: " +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Alone in its file, so that a new version compiles nothing else.
+// In a file of its own, so that nothing else is recompiled for a new version.
 #include "solver/files/program_version.h"
 
 namespace keyblock {

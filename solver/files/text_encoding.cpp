@@ -28,7 +28,7 @@ void appendUtf8(std::string& text, std::uint32_t letter) {
     }
 }
 
-/// The name that iconv has for a code page of a DXF.
+/// Name that iconv uses for the code page of a DXF file.
 std::string iconvName(std::string_view codePage) {
     const auto number = codePage.find_first_of("0123456789");
     return number == std::string_view::npos ? "CP1252" : "CP" + std::string(codePage.substr(number));

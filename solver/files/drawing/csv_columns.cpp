@@ -14,7 +14,8 @@ namespace {
 
 using Kind = CsvColumnKind;
 
-/// By their words in lower case, sorted, so that `x start` and `start x` are one.
+/// Column kinds by title. The words of a title are in lower case and sorted, so that `x start` and `start x` are the
+/// same.
 const std::map<std::string, Kind>& names() {
     static const std::map<std::string, Kind> all = [] {
         std::map<std::string, Kind> table{
@@ -49,7 +50,7 @@ const std::map<std::string, Kind>& names() {
     return all;
 }
 
-/// N, kN or MN in lower case; null for any other word.
+/// Unit for N, kN or MN in lower case; null for any other word.
 const UnitSymbol* forceUnitOf(std::string_view lower) {
     for (const char* symbol : {"N", "kN", "MN"})
         if (lowerCase(symbol) == lower) return findUnit(symbol);
@@ -82,7 +83,7 @@ std::string sortedWords(const std::string& words) {
     return sorted;
 }
 
-/// Takes the unit off a title: `x1 [mm]`, `x1 (mm)`, `x1_mm`; empty where there is none.
+/// Removes the unit from a title such as `x1 [mm]`, `x1 (mm)` or `x1_mm` and returns it; empty if there is none.
 std::string takeUnit(std::string& title) {
     for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
         const auto from = title.find(open), to = title.find(close);

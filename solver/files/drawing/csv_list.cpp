@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The header alone says what a list holds and in which of four forms; every row is
-// then read by that form.
+// The header alone shows what a list contains and in which of four forms; all rows are
+// then read in that form.
 #include "solver/files/drawing/csv_list.h"
 
 #include "solver/files/drawing/csv_columns.h"
@@ -149,7 +149,7 @@ private:
         return drawn;
     }
 
-    /// Rows of one name, one under the other, are the points of one joint.
+    /// Consecutive rows with the same name are the points of one joint.
     void addPoint(int line) {
         const Point p = point(Kind::X, Kind::Y);
         const std::string name = text(Kind::Name);
@@ -185,7 +185,7 @@ private:
         return {first, number(y)};
     }
 
-    /// In SI; 0 after an error, which is reported.
+    /// Value in SI units; 0 after an error, which is reported.
     double number(Kind kind) {
         const auto index = static_cast<std::size_t>(indexOf(kind));
         const CsvCell& cell = (*row_)[index];

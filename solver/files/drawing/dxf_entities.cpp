@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names are UTF-8 since AutoCAD 2007 and in a code page before; `\U+00E4` stands
-// for a letter in either. A section that is not ended ends where the next begins.
+// Names are in UTF-8 since AutoCAD 2007 and in a code page before; in both, `\U+00E4`
+// represents a letter. A section without an end mark ends where the next one begins.
 #include "solver/files/drawing/dxf_entities.h"
 
 #include "solver/files/csv/number_text_reader.h"

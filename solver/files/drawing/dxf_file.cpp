@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks are inserted by affine maps, which may mirror, stretch and repeat; curves
-// become points before they are mapped. Everything is drawn twice: first coarsely,
-// to know the size of the drawing, by which the sagitta is chosen.
+// Blocks are inserted by affine maps, which may include mirroring, stretching and
+// repetition; curves are converted to points before they are mapped. The drawing is
+// converted twice, first coarsely to find its size, from which the sagitta is chosen.
 #include "solver/files/drawing/dxf_file.h"
 
 #include "geometry/polygon.h"
@@ -24,7 +24,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostEntities = 200'000;  // with those of inserted blocks
+constexpr std::size_t mostEntities = 200'000;  // including the entities of inserted blocks
 constexpr std::size_t deepestInsert = 16;
 constexpr double sagittaOfSize = 5e-4;
 
@@ -34,7 +34,7 @@ struct Map {
 
     Point operator()(const Point& p) const { return linear * p + shift; }
     Map operator*(const Map& inner) const { return {linear * inner.linear, linear * inner.shift + shift}; }
-    /// By which lengths grow at most and at least: the singular values.
+    /// Largest and smallest factor by which the map changes lengths: its singular values.
     std::pair<double, double> stretches() const {
         const double a = linear(0, 0), b = linear(0, 1), c = linear(1, 0), d = linear(1, 1);
         const double alike = 0.5 * std::hypot(a + d, c - b), apart = 0.5 * std::hypot(a - d, b + c);
@@ -54,7 +54,7 @@ const UnitSymbol* unitOfCode(int code) {
     return nullptr;
 }
 
-/// What was read of each entity: those of blocks are drawn many times.
+/// Shapes that have been read, by entity: the entities of a block are drawn many times.
 using Shapes = std::map<const DxfEntity*, DxfShapeReading>;
 
 class Drawer {
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// `layer` of the insert that the entity belongs to; empty: of none.
+    /// \param layer the layer of the insert to which the entity belongs; empty if there is none.
     void add(const DxfEntity& entity, const Map& map, const std::string& layer) {
         if (++entities_ > mostEntities) {
             if (entities_ == mostEntities + 1)
@@ -156,7 +156,7 @@ private:
         return points;
     }
 
-    /// Takes away points that repeat the one before, and of a closed line the last one that is the first.
+    /// Removes points that repeat the previous one and, in a closed line, a last point that repeats the first.
     static void tidy(DrawnLine& line) {
         const Box box = line.points.empty() ? Box{} : boxOf(line.points);
         const double same = 1e-12 * (box.max - box.min).norm();
@@ -202,7 +202,7 @@ private:
         for (const DxfEntity& entity : block.entities) add(entity, map * copy, layer);
     }
 
-    /// As the names of blocks were read.
+    /// Decodes a name in the same way as the names of blocks.
     std::string nameOf(const std::string& raw) const { return withDxfEscapes(asUtf8(raw, content_.codePage)); }
 
     void noteHeight(const DxfEntity& entity, double height) {
@@ -236,7 +236,7 @@ private:
     Shapes& shapes_;
     double sagitta_;
     Drawing drawing_;
-    std::vector<std::string> stack_;  // blocks that are being inserted
+    std::vector<std::string> stack_;  // keys of the blocks that are being inserted
     std::set<std::string> used_;
     std::size_t entities_ = 0;
     int heights_ = 0, firstHeight_ = 0;

@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
                                            : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Lines one at a time; a file of an old Mac ends them by carriage returns alone.
+/// Reads a text line by line; files from old Macs end lines with a carriage return only.
 class Lines {
 public:
     explicit Lines(std::string_view text)
@@ -68,7 +68,8 @@ std::string textAfterEnd(Lines& lines) {
     return {};
 }
 
-/// Reads pairs until the end. \return whether the file says where it ends.
+/// Reads pairs until the end.
+/// \return false if the file ends without an end mark.
 bool readPairs(Lines& lines, DxfGroups& read) {
     std::string_view codeText, value;
     while (lines.next(codeText)) {
@@ -90,7 +91,7 @@ bool readPairs(Lines& lines, DxfGroups& read) {
     return false;
 }
 
-/// Whether a section was begun and not ended.
+/// True if the last section has no end mark.
 bool endsAmid(const DxfGroups& read) {
     bool inside = false;
     for (const DxfGroup& group : read.groups)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An entity's groups are checked (numbers that are numbers, all that its kind
-// needs, as many y as x), written again in the order and with the counts that the
-// library relies on, and read by it. What it hands back is turned into shapes.
+// The groups of an entity are checked: values are numbers, all codes that its kind
+// requires are present, and there are as many y as x. They are then written again in
+// the order and with the counts that the library relies on, and read by it. Its
+// results are converted to shapes.
 #include "solver/files/drawing/dxf_shapes.h"
 
 #include "solver/files/csv/number_text_reader.h"
@@ -27,10 +28,10 @@ constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t mostGroups = 4'000'000;  // of one entity
 
-/// Codes of a kind: those that it needs, and those that may be there too.
+/// Codes of a kind of entity: the required and the optional ones.
 struct ShapeKind {
     std::vector<int> needed, optional;
-    bool turned = true;  // drawn on a plane of its own, which may be seen from behind
+    bool turned = true;  // drawn on a plane of its own, which may be viewed from behind
 };
 
 const std::map<std::string, ShapeKind, std::less<>>& kinds() {
@@ -64,7 +65,7 @@ std::string reasonFor(std::string_view kind) {
     return found == reasons.end() ? "entities of this kind are not read" : found->second;
 }
 
-/// Listens to the library.
+/// Receives the entities from the library.
 class Listener : public DL_CreationAdapter {
 public:
     void addLine(const DL_LineData& d) override {
@@ -124,7 +125,7 @@ int countOf(const DxfEntity& entity, int code) {
                                           [&](const DxfGroup& group) { return group.code == code; }));
 }
 
-/// What keeps an entity from being handed over; empty when nothing does.
+/// Reason why an entity cannot be passed to the library; empty if there is none.
 std::string faultOf(const DxfEntity& entity, const ShapeKind& kind) {
     if (entity.groups.size() > mostGroups) return "it has more than " + std::to_string(mostGroups) + " values";
     for (const DxfGroup& group : entity.groups) {
@@ -152,7 +153,7 @@ void put(std::string& text, int code, std::string_view value) {
     text += std::to_string(code) + '\n' + std::string(value) + '\n';
 }
 
-/// Counts first, as many as there are; then the groups of the shape in their order.
+/// Writes the counts first, and then the groups of the shape in their order.
 void writeEntity(const DxfEntity& entity, const ShapeKind& kind, std::string& text) {
     put(text, 0, entity.kind);
     if (entity.kind == "LWPOLYLINE") put(text, 90, std::to_string(countOf(entity, 10)));
@@ -175,7 +176,7 @@ std::optional<DxfShape> readByLibrary(const std::string& text) {
     return std::move(listener.shape);
 }
 
-/// Only what describes the line itself: not the frame of control points that a fitted one carries along.
+/// True for vertices of the line itself; false for the control points that a fitted line has in addition.
 bool isOnLine(const DxfEntity& vertex) { return (integerOf(vertex, 70, 0) & 16) == 0; }
 
 std::string faultOfPolyline(const DxfEntity& entity) {
@@ -196,7 +197,7 @@ double heightOf(const DxfEntity& entity) {
     return height;
 }
 
-/// What is wrong with the plane that an entity is drawn on.
+/// Describes what is wrong with the plane on which an entity is drawn; empty if nothing is.
 std::string faultOfPlane(const DxfEntity& entity) {
     const double x = realOf(entity, 210, 0.0), y = realOf(entity, 220, 0.0), z = realOf(entity, 230, 1.0);
     constexpr double flat = 1e-9;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lists are in metres once they are read, and their columns say what they hold.
+// Lists are converted to metres when they are read, and their columns show what they
+// contain.
 #include "solver/files/drawing/csv_list.h"
 #include "solver/files/drawing/dxf_entities.h"
 #include "solver/files/drawing/dxf_file.h"
@@ -42,7 +43,7 @@ Import importFile(const std::filesystem::path& path, const ImportSettings& setti
     }
     Drawing drawing = readCsvList(text, path.stem().string(), settings.unit);
     ImportSettings own = settings;
-    own.unit = nullptr;  // it is in metres already
+    own.unit = nullptr;  // the drawing is already in metres
     if (own.roles.empty() && !drawing.lines.empty())
         own.roles = {{drawing.lines.front().layer, *layerRoleOf(drawing.lines.front().kind)}};
     Import import = importSection(std::move(drawing), own, path.string());

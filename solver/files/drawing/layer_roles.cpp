@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> roleWords{"joint", "boundary", "tunnel", "bolt", "ignore"};
 
-/// Parts of names; the first that is found decides.
+/// Part of a layer name that indicates a role; the first part found decides.
 struct Sign {
     std::string_view part;
     LayerRole role;

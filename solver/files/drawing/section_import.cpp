@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scene is built, written, read and checked like any other scene; what is
-// wrong with it is reported at the line of the drawing that it comes from.
+// The scene is built, written, read and checked like any other scene; errors are
+// reported at the line of the drawing from which they come.
 #include "solver/files/drawing/section_import.h"
 
 #include "geometry/polygon.h"
@@ -29,7 +29,7 @@ constexpr const char* assumedJoint = "assumed-joint";
 constexpr const char* assumedBolt = "assumed-bolt";
 constexpr const char* assumedBoltLike = "rebar-20";
 constexpr double flatBox = 0.01;  // side over side
-constexpr double meetingEnds = 1e-6;  // of the drawing's size: ends this close are one
+constexpr double meetingEnds = 1e-6;  // fraction of the drawing's size: ends closer than this are the same point
 
 class Importer {
 public:
@@ -97,7 +97,7 @@ private:
         return found->role;
     }
 
-    /// Leaves out what is drawn twice on layers of one role.
+    /// Sorts lines by role and omits duplicates within a role.
     void sortByRole() {
         std::map<std::pair<LayerRole, std::vector<std::pair<double, double>>>, int> seen;
         for (DrawnLine& line : drawing_.lines) {
@@ -141,7 +141,7 @@ private:
 
     void assume(std::string what) { import_.assumed.push_back(std::move(what)); }
 
-    /// A name that no other object of the scene has.
+    /// Makes a name that no other object of the scene has.
     std::string freeName(const std::string& wanted) {
         std::string name = wanted;
         for (int number = 2; !names_.insert(name).second; ++number) name = wanted + "-" + std::to_string(number);
@@ -229,7 +229,7 @@ private:
         scene_.domain = std::move(domain);
     }
 
-    /// The box of the joints, through which they then run; where there are none, one with rock all round.
+    /// Bounding box of the joints, which then cross it completely; without joints, a larger box with rock on all sides.
     std::vector<Point> assumedBoundary() {
         std::vector<Point> points;
         for (const auto& [role, lines] : lines_)
@@ -283,7 +283,7 @@ private:
                });
     }
 
-    /// Whether `a` lies nearer to the wall than `b`.
+    /// True if `a` is closer to the wall than `b`.
     bool isHead(const Point& a, const Point& b) const {
         const auto distance = [&](const Point& p) {
             double nearest = walls_.empty() ? distanceToBoundary(scene_.domain->boundary, p) : INFINITY;
@@ -347,7 +347,7 @@ private:
     std::map<std::tuple<std::string, std::string, std::string>, int> rows_;
     std::set<std::string> names_;
     std::vector<std::vector<Point>> walls_;
-    std::map<std::string, int> origins_;  // lines of the drawing by pointers of the scene
+    std::map<std::string, int> origins_;  // line numbers of the drawing by pointers into the scene
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One function for each kind, both ways. Ranges are not judged here but by the
-// check, which serves scenes built in code too.
+// There is one function per kind of field in each direction. Ranges are not checked
+// here but in the check of the scene, which also covers scenes built in code.
 #include "solver/files/json/field_json.h"
 
 #include "solver/files/json/json_text.h"
@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-/// One value on its way from JSON.
+/// A value being converted from JSON.
 struct Place {
     const Field& field;
     const JsonNode& node;
@@ -116,7 +116,7 @@ std::optional<FieldValue> axis(const Place& place) {
     return {};
 }
 
-// Rows of two numbers; reports each row that is not.
+// Reads rows of two numbers and reports each row that is not of this form.
 std::optional<std::vector<Point>> rowsOfTwo(const Place& place, std::string_view row) {
     const auto* list = std::get_if<JsonList>(&place.node.value);
     if (!list) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each list or object is first tried on one line.
+// Each list or object is written on one line if it fits.
 #include "solver/files/json/json_text.h"
 
 #include "solver/scene/number_text.h"
@@ -11,7 +11,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t widest = 110;  // characters of a line
+constexpr std::size_t widest = 110;  // maximum number of characters per line
 constexpr std::size_t indentation = 2;
 
 std::string escaped(char c) {
@@ -39,7 +39,7 @@ std::string textOf(std::string_view text) {
 struct LinePrinter {
     std::string operator()(std::monostate) const { return "null"; }
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(double number) const { return shortest(number == 0.0 ? 0.0 : number); }  // -0 is read as 0
+    std::string operator()(double number) const { return shortest(number == 0.0 ? 0.0 : number); }  // −0 becomes 0
     std::string operator()(const std::string& text) const { return textOf(text); }
     std::string operator()(const JsonList& list) const {
         std::string text;
@@ -55,7 +55,7 @@ struct LinePrinter {
     }
 };
 
-// The root's parts always get lines of their own, for merging.
+// The parts of the root are always on separate lines, which makes merging easier.
 void print(const JsonNode& node, std::size_t indent, std::size_t used, std::string& out);
 
 void printItem(const std::string& label, const JsonNode& node, std::size_t indent, bool isLast, std::string& out) {
@@ -78,7 +78,7 @@ void printList(const JsonList& list, std::size_t indent, std::string& out) {
     out += std::string(indent, ' ') + "]";
 }
 
-// A cheap bound, so that deep trees are not printed line by line again at every level.
+// Lower bound of the length that is cheap to compute, so that deep trees are not tried on one line at every level.
 std::size_t leastLength(const JsonNode& node) {
     if (const auto* list = std::get_if<JsonList>(&node.value))
         return 3 * list->size();

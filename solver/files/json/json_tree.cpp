@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parser is nlohmann's, through its SAX interface: its own tree drops
-// duplicate keys and positions. It reads through an iterator that records how far
-// it came; the lines are counted up to there. This is the one file of the scene
-// reader that includes the parser, which is slow to compile.
+// The parser is that of nlohmann, used through its SAX interface because its own tree
+// drops duplicate keys and positions. It reads through an iterator that records how
+// far it has read; lines are counted up to that point. This is the only file of the
+// scene reader that includes the parser, which is slow to compile.
 #include "solver/files/json/json_tree.h"
 
 #include "solver/scene/pointer.h"
@@ -23,9 +23,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t longestDetail = 160;  // of the parser's own message
+constexpr std::size_t longestDetail = 160;  // of the parser's message, in characters
 
-// Reports through `reached` how far the parser has read.
+// Records in `reached` how far the parser has read.
 class TellingIterator {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -53,8 +53,8 @@ private:
     const char** reached_;
 };
 
-// The parser's message without its own prefix, without what it read last (the word says that better) and without
-// bytes that are no plain text.
+// The parser's message without its prefix, without the text read last (the word around the error is clearer) and
+// without bytes that are not plain text.
 std::string detailOf(std::string_view what) {
     if (const auto column = what.find("column "); column != std::string_view::npos)
         what.remove_prefix(std::min(what.find(": ", column) + 2, what.size()));
@@ -70,7 +70,7 @@ bool isWordCharacter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+';
 }
 
-// The letters and digits around a place in a text.
+// Letters, digits and signs around a position in a text.
 std::string_view wordAround(std::string_view text, std::size_t place) {
     std::size_t begin = place;
     std::size_t end = place;
@@ -100,7 +100,7 @@ std::string remedyFor(std::string_view detail) {
     return "Correct the text here or just before; a comma, quote or bracket may be missing or superfluous";
 }
 
-// Builds the tree; gives false to the parser when a limit is passed.
+// Builds the tree; returns false to the parser if a limit is exceeded.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
     TreeBuilder(std::string_view text, const char** reached)
@@ -112,7 +112,7 @@ public:
     bool number_unsigned(number_unsigned_t value) override { return leaf(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t&) override { return leaf(value); }
     bool string(string_t& value) override { return leaf(std::move(value)); }
-    bool binary(binary_t&) override { return false; }  // not in a text
+    bool binary(binary_t&) override { return false; }  // does not occur in a text
     bool start_object(std::size_t) override { return open(JsonObject{}); }
     bool start_array(std::size_t) override { return open(JsonList{}); }
     bool end_array() override {
@@ -150,17 +150,18 @@ public:
 private:
     struct Open {
         JsonNode node;
-        std::optional<std::string> key;  // of the member that is being read
+        std::optional<std::string> key;  // key of the member that is being read
     };
 
-    // The parser may have read one character past a number, so that one is not counted.
+    // Line of the last character read. The last one is not counted, because the parser may have read one character past
+    // a number.
     int line() {
         for (; counted_ + 1 < *reached_; ++counted_)
             line_ += *counted_ == '\n' ? 1 : 0;
         return line_;
     }
 
-    // Of the last character that was read.
+    // Position of the last character read.
     std::size_t placeOfError() const {
         const auto read = static_cast<std::size_t>(*reached_ - text_.data());
         return read == 0 ? 0 : read - 1;
@@ -204,7 +205,7 @@ private:
     void placeMember(JsonNode node) {
         Open& parent = open_.back();
         if (!parent.key)
-            return;  // closing what an error left open
+            return;  // closing a node that an error left open
         std::get<JsonObject>(parent.node.value).push_back({std::move(*parent.key), std::move(node)});
         parent.key.reset();
     }
@@ -212,7 +213,7 @@ private:
     template <typename Value>
     bool open(Value&& empty) {
         if (static_cast<int>(open_.size()) >= deepestJson) {
-            open_.clear();  // its pointer would say no more than that it is long
+            open_.clear();  // the pointer would only be very long
             fail("lists and objects are nested more than " + std::to_string(deepestJson) + " levels deep",
                  "No scene needs this; look for superfluous brackets");
             return false;
@@ -317,7 +318,7 @@ const JsonNode* findMember(const JsonNode& node, std::string_view key) {
 
 namespace {
 
-// The last value on the way of the pointer; `pointer` keeps what leads no further.
+// Last value found on the path of the pointer; the rest of the path remains in `pointer`.
 const JsonNode& follow(const JsonNode& root, std::string_view& pointer) {
     const JsonNode* node = &root;
     while (!pointer.empty()) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table is walked by what the file says, not by what the struct has, so that
-// missing keys keep what the target held: its defaults, or what it was copied from.
+// The reader loops over the members in the file rather than over the fields of the
+// struct. For missing keys the target therefore keeps its values: its defaults, or
+// those from which it was copied.
 #include "solver/files/json/object_reader.h"
 
 #include "solver/files/json/field_json.h"
@@ -51,7 +52,7 @@ private:
             field->set(target_, *value);
     }
 
-    // A place that could not be read must not pass for the origin in later checks.
+    // A position that could not be read must not be taken for the origin in later checks.
     void markUnread(const Field& field) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         if (field.kind == FieldKind::Vector)
@@ -105,7 +106,8 @@ private:
         }
     }
 
-    // By presence: in the wrong place even the default is a mistake; null means nothing, so it is allowed anywhere.
+    // Reports fields that are present where they do not apply. There, even the default value is a mistake; null means
+    // no value and is allowed anywhere.
     void reportMisplaced(const JsonObject& members) {
         for (const JsonMember& member : members) {
             const Field* field = findField(structure_, member.key);
@@ -116,7 +118,7 @@ private:
         }
     }
 
-    // True when the field that decides has a problem of its own.
+    // True if the field that decides whether this one applies has an error of its own.
     bool isInDoubt(const Field& field) const {
         const std::string decider = under(pointer_, field.only.key);
         return !field.only.key.empty() &&

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writing and reading a row are side by side, in the order of its columns. A
-// store may come from anywhere, so every index is checked before it is believed.
+// The functions that write and read a row are next to each other and follow the order
+// of its columns. A store may come from any source, so every index is checked before
+// it is used.
 #include "solver/files/run_store/frame_payload.h"
 
 #include <algorithm>
@@ -147,7 +148,7 @@ constexpr std::array<PayloadColumn, 12> blockExtremeColumns{
      {"sigma3_stage", "", "likewise"},
      {"sigma3_time", "s", "likewise"}}};
 
-/// Takes values off a row and remembers whether one of them was no index of its kind.
+/// Reads values from a row and records whether any of them was not a valid index.
 class RowReader {
 public:
     explicit RowReader(std::span<const double> row) : row_(row) {}
@@ -293,7 +294,8 @@ void packInertia(const Frame& frame, std::vector<double>& out) {
         out.insert(out.end(), {f.inertia.x(), f.inertia.y(), f.inertiaMoment});
 }
 
-/// Goes by the rows of the weights. \param values three a row
+/// Reads inertia for the bodies for which weights were read.
+/// \param values three per row
 bool unpackInertia(std::span<const double> values, Frame& frame) {
     std::vector<BodyForce>& bodies = frame.forces.bodies;
     if (!values.empty() && values.size() != 3 * bodies.size()) return false;
@@ -347,7 +349,7 @@ bool unpackOtherForce(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
-/// The peaks of a row, in the order of its columns.
+/// The peaks of a row in column order.
 constexpr std::array boltPeaks{&BoltExtremes::axialForce, &BoltExtremes::shearForce, &BoltExtremes::moment,
                                &BoltExtremes::steel,      &BoltExtremes::shear,      &BoltExtremes::bond,
                                &BoltExtremes::plate};
@@ -396,7 +398,7 @@ bool unpackBlockExtremes(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
-/// Lists that go with others have as many rows, or none.
+/// True if lists that belong together have the same number of rows, or none.
 bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& frame) {
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;

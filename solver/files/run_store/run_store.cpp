@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One read transaction spans the life of the reader, so that events, history and
-// frames belong together however fast the run continues. What comes out of the file
-// is checked before it is used as an index.
+// One read transaction lasts as long as the reader, so that events, history and frames
+// are consistent however fast the run continues. Values from the file are checked
+// before they are used as indices.
 #include "solver/files/run_store/run_store.h"
 
 #include "solver/files/read_error.h"
@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace store_reading;
 
-/// An index that was stored as a double.
+/// Converts an index that was stored as a double.
 int storedIndex(double value, std::size_t end) {
     if (!(value >= 0.0 && value < static_cast<double>(end)))
         outOfRange();
@@ -54,7 +54,7 @@ Event eventAt(const sqlite::Statement& row, const Scene& scene, std::size_t bloc
     return event;
 }
 
-/// \param values four a block, as table `columns` names them.
+/// \param values four per block, as listed in table `columns`.
 std::vector<UnstableBlock> unstableBlocks(const std::vector<double>& values, std::size_t blocks) {
     constexpr int modes = static_cast<int>(Movement::Follows) + 1;
     std::vector<UnstableBlock> unstable;
@@ -100,7 +100,7 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_
 
 }  // namespace
 
-/// Does `work`, and reports errors of SQLite as a file that cannot be read.
+/// Executes `work` and reports SQLite errors as a file that cannot be read.
 template <typename Work>
 auto RunStore::guarded(Work work) const {
     try {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The store is made whole under another name (schema and scene, no write-ahead file
-// yet), put in its place in one move and only then opened for the run, so that
-// a store without its scene is never visible.
+// The store is first created in full under another name, with schema and scene but
+// without a write-ahead file. It is then moved to its path in one operation and only
+// then opened for the run, so that a store without its scene is never visible.
 #include "solver/files/run_store/run_store_writer.h"
 
 #include "solver/files/run_store/checkpoint_bytes.h"
@@ -58,13 +58,14 @@ bool isRunStore(const fs::path& path) {
         sqlite::Statement id(database, "PRAGMA application_id");
         return id.next() && id.integer(0) == run_schema::applicationId;
     } catch (const sqlite::Error& error) {
-        // Damaged beyond opening, yet nothing but a database ever started like this.
+        // The file is too damaged to be opened, but only a database starts like this.
         return error.code == SQLITE_CORRUPT || error.code == SQLITE_NOTADB;
     }
 }
 
-/// Folds the old store's write-ahead file in, so that it is never taken for the new store's. Where only that file or a
-/// journal is left, because the store of a killed run was removed, it is deleted for the same reason.
+/// Merges the write-ahead file of the old store into it, so that it is never mistaken for that of the new store. If
+/// only this file or a journal remains, because the store of a killed run was removed, it is deleted for the same
+/// reason.
 void settleOldStore(const fs::path& path) {
     std::error_code ignored;
     try {
@@ -117,14 +118,14 @@ void writeAbout(const sqlite::Database& database, const Scene& scene, const Hist
     put("monitor_values", std::to_string(history.monitorValues));
 }
 
-/// SQLite does not say what was wrong with a folder.
+/// Checks the folder first, because SQLite does not report what is wrong with one.
 void requireWritableFolder(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw CannotWrite(cannotWriteText(path, errno));
 }
 
-/// Makes a whole store without any result at `part`.
+/// Creates a complete store without results at `part`.
 void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& columns) {
     sqlite::Database database(part, sqlite::Access::Create);
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA application_id=" + std::to_string(run_schema::applicationId) +
@@ -135,7 +136,7 @@ void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& c
     database.run("COMMIT; PRAGMA journal_mode=WAL");
 }
 
-/// Moves the new store to its place; another run that took the place meanwhile keeps it.
+/// Moves the new store to its path; a store that another run has created there in the meantime is kept.
 void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
     std::error_code error;
     if (!overwrite) {
@@ -143,7 +144,7 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
         if (error == std::errc::file_exists)
             refuseExisting(path);
         if (!error)
-            return;  // the part's own name goes with the part
+            return;  // the temporary name is removed with the part
     }
     fs::rename(part, path, error);
     if (error)
@@ -161,7 +162,7 @@ constexpr const char* insertFrame =
     "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
 
-/// A row of four a block, as table `columns` names them.
+/// A row of four values per block, as listed in table `columns`.
 std::vector<double> numbersOf(const std::vector<UnstableBlock>& blocks) {
     std::vector<double> numbers;
     for (const UnstableBlock& one : blocks)
@@ -170,7 +171,7 @@ std::vector<double> numbersOf(const std::vector<UnstableBlock>& blocks) {
     return numbers;
 }
 
-/// Takes back what a run found after a checkpoint; frames and events count from 1, rows of history from 0.
+/// Deletes the results of a run after a checkpoint. Frames and events are numbered from 1, history rows from 0.
 void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
     const auto clear = [&](const char* sql, long kept) {
         sqlite::Statement(database, sql).bind(std::int64_t{kept}).run();
@@ -188,7 +189,7 @@ void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
 
 }  // namespace
 
-/// The store while it is open. Statements go before the connection they belong to.
+/// The store while it is open. Statements are destroyed before the connection to which they belong.
 struct RunStoreWriter::Open {
     explicit Open(const fs::path& path) : lock(path), database(path, sqlite::Access::Write) {
         database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
@@ -238,11 +239,11 @@ RunStoreWriter::~RunStoreWriter() {
     try {
         close();
     } catch (const CannotWrite&) {
-        // The store keeps what was committed; there is no one left to report to.
+        // The store keeps what was committed; there is no caller left to receive the error.
     }
 }
 
-/// Does `work` on the open store inside a transaction; a failure takes back what is not committed.
+/// Executes `work` on the open store inside a transaction; after a failure, uncommitted changes are rolled back.
 template <typename Work>
 void RunStoreWriter::write(Work work) {
     if (!open_)
@@ -382,7 +383,7 @@ void RunStoreWriter::close() {
     try {
         sqlite::Database(path_, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
     } catch (const sqlite::Error&) {
-        // The store is being read: it stays in write-ahead mode, which is as good.
+        // Another program is reading the store: it remains in write-ahead mode, which is harmless.
     }
 }
 

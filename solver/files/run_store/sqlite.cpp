@@ -16,7 +16,7 @@ namespace {
 
 constexpr int busyWait = 5000;  // [ms]
 
-/// What the connection has to say about its last failure.
+/// Throws the connection's message about its last failure.
 [[noreturn]] void fail(int code, sqlite3* connection) {
     if (!connection)
         throw Error(code, "out of memory");
@@ -27,7 +27,7 @@ constexpr int busyWait = 5000;  // [ms]
     throw Error(code, sqlite3_errmsg(connection), askedSystem ? sqlite3_system_errno(connection) : 0);
 }
 
-/// The path as a URI that makes SQLite take no locks and look for no journal.
+/// The path as a URI with which SQLite takes no locks and looks for no journal.
 std::string unchangingUri(const std::filesystem::path& path) {
     std::string uri = "file:";
     for (const char c : path.string()) {

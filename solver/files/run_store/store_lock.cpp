@@ -17,7 +17,7 @@ StoreLock::StoreLock(const std::filesystem::path& path) : file_(::open(path.c_st
     if (file_ < 0)
         throw CannotWrite(cannotWriteText(path, errno));
     if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-        return;  // or a file system without locks
+        return;  // locked, or the file system has no locks
     ::close(file_);
     throw CannotWrite("cannot write " + path.string() +
                       ": another run is writing it; wait for it or stop it, or choose another --out");

@@ -42,8 +42,8 @@ sqlite::Database openedAs(const fs::path& path, sqlite::Access access) {
     return database;
 }
 
-/// Reading alone does in most cases. A run killed while it closed its store leaves a journal that only a writer may
-/// roll back; a store left in write-ahead mode in a folder without the right to write opens only as unchanging.
+/// Opens a store, in most cases read-only. A run that was killed while closing its store leaves a journal that only a
+/// writer may roll back. A store left in write-ahead mode in a folder without write permission opens only as immutable.
 sqlite::Database openedAsPossible(const fs::path& path) {
     std::error_code ignored;
     const bool alone = !fs::exists(path.string() + "-wal", ignored);
@@ -58,7 +58,7 @@ sqlite::Database openedAsPossible(const fs::path& path) {
     }
 }
 
-// In the order in which they are unpacked.
+// In the order of unpacking.
 constexpr std::array unpackedPayloads{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
                               Payload::Bolts,      Payload::Nodes,         Payload::Weights,
                               Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces,

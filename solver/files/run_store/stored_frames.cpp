@@ -15,7 +15,7 @@ Frame StoredFrames::frame(std::size_t index) const {
     using namespace store_reading;
     const sqlite::Database database = openedAgain(path_);
     try {
-        const auto key = static_cast<std::int64_t>(index) + 1;  // the writer counts them from 1, without gaps
+        const auto key = static_cast<std::int64_t>(index) + 1;  // the writer numbers frames from 1, without gaps
         sqlite::Statement statement(database, std::string("SELECT ") + headColumns + " FROM frames WHERE frame=?");
         statement.bind(key);
         if (!statement.next())

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library's files have the form of a scene's `bolt_types` and are read by the
-// same code. A mistake in them is a mistake of the program, found by its tests.
+// The files of the library have the same form as `bolt_types` in a scene and are read
+// by the same code. An error in them is an error in the program, which its tests
+// detect.
 #include "solver/files/scene/bolt_library.h"
 
 #include "solver/files/scene/bolt_library_texts.h"

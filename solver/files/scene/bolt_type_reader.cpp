@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A type that is like another is read over a copy of it, so the other is read
-// first. Sources of numbers that are redefined are not copied.
+// A type based on another one is read over a copy of it, so the other type is read
+// first. Sources of values that are redefined are not copied.
 #include "solver/files/scene/bolt_type_reader.h"
 
 #include "solver/files/json/field_json.h"
@@ -26,7 +26,7 @@ const BoltType* findType(const std::vector<BoltType>& types, std::string_view na
     return found == types.end() ? nullptr : &*found;
 }
 
-constexpr int longestChain = 32;  // of types that are like one another
+constexpr int longestChain = 32;  // of types that are based on one another
 
 class BoltTypeReader {
 public:
@@ -64,7 +64,7 @@ private:
         states_[index] = State::Read;
     }
 
-    // What the type starts from: a copy of the one it is like, or the defaults.
+    // Initial values of a type: a copy of the type on which it is based, or the defaults.
     BoltType baseOf(const JsonMember& member) {
         const JsonNode* like = findMember(member.node, "like");
         const auto* name = like ? std::get_if<std::string>(&like->value) : nullptr;
@@ -99,14 +99,14 @@ private:
         return types_[index];
     }
 
-    // Steel, so that a wrong `like` is not also reported as missing steel.
+    // A type with steel properties, so that a wrong `like` is not also reported as missing steel.
     static BoltType usable() {
         BoltType type;
         type.youngsModulus = 200e9;
         return type;
     }
 
-    // A key of `sources` is that of a field, or of a part of one: `plate.normal_strength`.
+    // A key of `sources` is that of a field or of part of a field, such as `plate.normal_strength`.
     static void inheritSources(const BoltType& base, BoltType& type) {
         for (const auto& [key, source] : base.sources) {
             const Field* field = findField(boltTypeStructure(), key.substr(0, key.find('.')));

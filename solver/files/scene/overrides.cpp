@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Paths come in three spellings, all turned into the same list of keys.
+// Paths can be written in three ways, all of which are converted to the same list of
+// keys.
 #include "solver/files/scene/overrides.h"
 
 #include "solver/scene/suggest.h"
@@ -14,7 +15,7 @@ namespace {
 
 int lineOfOverride(std::size_t index) { return -1 - static_cast<int>(index); }
 
-// `a.b[2].c`, `a/b/2/c`: cut at dots, slashes and brackets.
+// Splits `a.b[2].c` or `a/b/2/c` at dots, slashes and brackets.
 std::vector<std::string> keysOfPath(std::string_view path) {
     std::vector<std::string> keys(1);
     for (const char c : path) {
@@ -51,7 +52,7 @@ void setLines(JsonNode& node, int line) {
             setLines(member.node, line);
 }
 
-// The member of an object, made when missing; the element of a list; null when there is none.
+// The member of an object, created if it is missing, or the element of a list; null if there is none.
 JsonNode* child(JsonNode& node, const std::string& key) {
     if (auto* list = std::get_if<JsonList>(&node.value)) {
         std::size_t index = 0;
@@ -70,7 +71,7 @@ JsonNode* child(JsonNode& node, const std::string& key) {
     return &object->back().node;
 }
 
-/// One option on its way into the tree.
+/// One option while it is applied to the tree.
 class Override {
 public:
     Override(const std::string& option, std::size_t index, std::vector<Problem>& problems)
@@ -113,7 +114,7 @@ private:
         return "there is no " + inQuotes(key) + " inside " + std::string(kindText(node));
     }
 
-    // JSON where it is, else a bare text: plate=none needs no quotes.
+    // Reads JSON if the text is valid JSON, otherwise takes it as plain text: plate=none needs no quotes.
     JsonNode value(const std::string& text) {
         JsonReading reading = readJson(text);
         if (!reading.root)

@@ -38,7 +38,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// Lines without the empty ones at the end.
+/// The lines of a text, without empty ones at the end.
 std::vector<std::string_view> linesOf(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(byteOrderMark))
@@ -51,7 +51,7 @@ std::vector<std::string_view> linesOf(std::string_view text) {
 
 std::string atRow(std::size_t row) { return "row " + std::to_string(row); }
 
-/// A number that takes up the whole cell; NaN and infinity are numbers here.
+/// Number that fills the whole cell; NaN and infinity count as numbers here.
 std::optional<double> numberIn(std::string_view cell) {
     if (cell.size() > 1 && cell.front() == '+' && cell[1] != '-' && cell[1] != '+')
         cell.remove_prefix(1);
@@ -101,7 +101,7 @@ private:
             fail("the record has a single row", "Give at least two rows of time and value");
     }
 
-    /// \return false where the rest of the file would only say the same again.
+    /// \return false if the rest of the file would only repeat the same error.
     bool readRow(std::string_view line, std::size_t row) {
         if (line.empty())
             return stop(row, "the row is empty", "Remove it: a gap in a record is rarely intended");

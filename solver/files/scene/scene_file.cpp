@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From text to scene: tree, overrides, version, fields, bolt types, sense. Each
-// step adds what it finds and the next continues with what is usable, so that the
-// user sees everything at once; what follows from an error already reported is
-// left out.
+// A text becomes a scene in these steps: tree, overrides, version, fields, bolt types,
+// checks. Each step adds the problems that it finds and the next step continues with
+// what is usable, so that the user sees all problems at once. Problems that follow
+// from an error already reported are omitted.
 #include "solver/files/scene/scene_file.h"
 
 #include "solver/engine/setup/mesh_check.h"
@@ -43,7 +43,7 @@ std::vector<std::string_view> allBoltTypeNames(const Scene& scene) {
     return names;
 }
 
-// Before the built-in types that are used join the scene's own: only here are all names known.
+// Called before the built-in types in use are added to those of the scene: only here are all names known.
 void checkBoltTypeNames(const Scene& scene, const JsonNode& root, Problems& problems) {
     const auto check = [&](const std::string& type, const std::string& pointer) {
         if (!type.empty() && !findBoltType(scene, type) && !findBuiltInBoltType(type))
@@ -79,7 +79,7 @@ void readRecord(Acceleration& acceleration, const std::string& pointer, const Js
                               acceleration.file + ": " + fault.message, std::move(fault.remedy)});
 }
 
-// What the scene names by a file becomes values of the scene, so that nothing after this knows the file.
+// Reads the files named in the scene into the scene, so that later steps do not depend on files.
 void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path& folder, Problems& problems) {
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {
         Stage& stage = scene.stages[i];
@@ -91,7 +91,7 @@ void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path
     }
 }
 
-// True when the error is of the key that decides whether the problem's belongs there at all.
+// True if the error is in the key that decides whether the field of the problem applies at all.
 bool decides(const Problem& error, const Problem& problem) {
     const Field* field = sceneFieldAt(problem.pointer);
     const std::size_t parent = problem.pointer.rfind('/');
@@ -99,8 +99,8 @@ bool decides(const Problem& error, const Problem& problem) {
            error.pointer == under(problem.pointer.substr(0, parent), field->only.key);
 }
 
-// True when an error is reported of the same place, of something inside it, of what it lies in, or of what decides on
-// it.
+// True if an error has been reported for the same position, for something inside it, for something that contains it, or
+// for the key that decides whether it applies.
 bool isExplained(const Problem& problem, const Problems& errors) {
     return std::any_of(errors.begin(), errors.end(), [&](const Problem& error) {
         const bool haveBothAPlace = !problem.pointer.empty() && !error.pointer.empty();
@@ -110,7 +110,7 @@ bool isExplained(const Problem& problem, const Problems& errors) {
     });
 }
 
-// Where a whole list could not be read, everything that refers to it would seem wrong.
+// True if a whole list could not be read; everything that refers to it would then seem wrong.
 bool lacksWholeList(const Problems& fieldProblems) {
     return std::any_of(fieldProblems.begin(), fieldProblems.end(), [](const Problem& problem) {
         const Field* field = problem.pointer.empty() ? nullptr
@@ -119,7 +119,7 @@ bool lacksWholeList(const Problems& fieldProblems) {
     });
 }
 
-// `fieldProblems` are the problems of single fields.
+// Adds the problems that concern more than a single field; those of single fields are in `fieldProblems`.
 void addSense(const Scene& scene, const JsonNode& root, const Problems& fieldProblems, Problems& problems,
               std::optional<SceneCut>& cut) {
     for (Problem& problem : lacksWholeList(fieldProblems) ? checkValues(scene) : checkScene(scene, &cut)) {
@@ -146,7 +146,7 @@ SceneReading finished(std::optional<Scene> scene, std::optional<SceneCut> cut, P
     return {std::move(scene), std::move(cut), std::move(problems)};
 }
 
-// As much as is needed to know that a file, or a pipe without end, is too long.
+// Reads no more than is needed to detect that a file, or an endless pipe, is too long.
 std::string wholeText(std::istream& stream) {
     std::string text;
     std::array<char, 65536> part{};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One heading and one table for each structure.
+// One heading and one table per structure.
 #include "solver/files/json/field_json.h"
 #include "solver/files/json/json_text.h"
 #include "solver/files/scene/scene_reference.h"
@@ -71,7 +71,7 @@ std::string meaningText(const Field& field) {
     return text;
 }
 
-// A bar would end the cell.
+// Escapes vertical bars, which would end the table cell.
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char c : text)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Objects that lack what they need are taken out of the tree and the rest is read
-// again, until nothing is lacking: each round removes at least one, and the depth
-// of a tree is limited, so it ends.
+// Objects that lack required data are removed from the tree and the rest is read
+// again, until nothing is missing. Each round removes at least one object, and the
+// size of a tree is limited, so the loop ends.
 #include "solver/files/scene/scene_rescue.h"
 
 #include "solver/files/json/field_json.h"
@@ -20,14 +20,14 @@ namespace {
 
 std::string parentOf(const std::string& pointer) { return pointer.substr(0, pointer.rfind('/')); }
 
-// The place of the field that an error is in: of one at a point of an outline, the outline's.
+// Position of the field that contains an error; for a point of an outline, that of the outline.
 std::string placeOfField(std::string pointer) {
     for (std::string parent = parentOf(pointer); !parent.empty(); parent = parentOf(parent))
         if (const Field* field = sceneFieldAt(parent); field && !hasChildren(*field)) pointer = parent;
     return pointer;
 }
 
-// The object that cannot be used because of this error; empty: none, or the whole scene.
+// The object that cannot be used because of this error; empty if there is none, or if it is the whole scene.
 std::string unusableBy(const Problem& error, const JsonNode& root) {
     const std::string place = placeOfField(error.pointer);
     const JsonNode* node = nodeAt(root, place);
@@ -39,7 +39,7 @@ std::string unusableBy(const Problem& error, const JsonNode& root) {
     return parentOf(place);
 }
 
-// The tree without the doomed values.
+// Removes the doomed values from the tree.
 void sweep(JsonNode& node, const std::set<const JsonNode*>& doomed) {
     if (auto* list = std::get_if<JsonList>(&node.value)) {
         JsonList kept;
@@ -93,7 +93,7 @@ SceneRescue rescueSceneText(std::string_view text, const std::string& name, cons
         for (const std::string& pointer : lacking)
             if (const JsonNode* node = nodeAt(*root, pointer)) doomed.insert(node);
         sweep(*root, doomed);
-        // Later rounds count in lists that lost items; their places would name others.
+        // In later rounds, lists have lost items, so positions in them would refer to other objects.
         if (isFirst) rescue.leftOut.assign(lacking.begin(), lacking.end());
     }
     for (Problem& problem : rescue.problems) problem.file = name;

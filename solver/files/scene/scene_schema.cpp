@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows become properties, structures become definitions. What a schema cannot
-// say, that one field belongs only with another, is in the description.
+// Rows become properties, structures become definitions. What a schema cannot express,
+// such as that a field applies only with another, is in the description.
 #include "solver/files/json/field_json.h"
 #include "solver/files/json/json_text.h"
 #include "solver/files/scene/scene_reference.h"

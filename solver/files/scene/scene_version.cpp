@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// There is one version so far; a change that breaks old scenes adds a step here
-// that turns a tree of version n into one of version n + 1.
+// There is only one version so far. A change that breaks old scenes adds a step here
+// that converts a tree of version n to version n + 1.
 #include "solver/files/scene/scene_version.h"
 
 #include "solver/files/json/field_json.h"

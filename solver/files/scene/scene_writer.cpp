@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene is written by the same table that reads it. Each object is compared
-// with a reference, its defaults or the bolt type it is like, and only what
-// differs is written.
+// A scene is written with the same table with which it is read. Each object is
+// compared with a reference, either its defaults or the bolt type on which it is
+// based, and only differences are written.
 #include "solver/files/scene/bolt_library.h"
 #include "solver/files/json/field_json.h"
 #include "solver/files/json/json_text.h"
@@ -56,7 +56,8 @@ JsonNode objectNode(const Structure& structure, const void* object, const void* 
     return {std::move(members)};
 }
 
-// The type that `type` is like, among the scene's and the built-in ones; a default one when it is like none.
+// The type on which `type` is based, among those of the scene and the built-in ones; if there is none, a type with
+// default values.
 const BoltType& baseOf(const BoltType& type, const Scene& scene) {
     static const BoltType defaults;
     if (type.like.empty())
@@ -67,7 +68,7 @@ const BoltType& baseOf(const BoltType& type, const Scene& scene) {
     return builtIn ? *builtIn : defaults;
 }
 
-// What differs from the base; sources that come along with their numbers are not repeated.
+// The differences from the base. Sources inherited together with their values are not repeated.
 JsonNode boltTypeNode(BoltType type, BoltType base) {
     std::erase_if(type.sources, [&](const auto& entry) {
         const auto inherited = base.sources.find(entry.first);
@@ -99,7 +100,7 @@ JsonNode sceneNode(const Scene& scene) {
     return {std::move(members)};
 }
 
-// Records that are in a file are read from there again.
+// Records from a file are omitted, because they will be read from that file again.
 template <typename StandsIn>
 Scene withoutRecords(Scene scene, StandsIn standsInFile) {
     for (Stage& stage : scene.stages)

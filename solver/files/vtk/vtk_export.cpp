@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every frame is loaded once, in order, also those that are not written: where
-// displacements are reset, they count from the last frame before.
+// Every frame is loaded once and in order, including those that are not written: where
+// displacements are reset, they are measured from the previous frame.
 #include "solver/files/vtk/vtk_export.h"
 
 #include "solver/files/part_folder.h"
@@ -67,7 +67,7 @@ private:
     std::vector<VtkMoment> moments_;
 };
 
-/// When each stage begins, in the time of the whole run.
+/// Start of each stage in the time of the whole run.
 std::map<int, double> stageStarts(const RunSource& run) {
     std::map<int, double> lengths;
     for (const StageRecord& record : run.stages())
@@ -82,9 +82,9 @@ std::map<int, double> stageStarts(const RunSource& run) {
     return starts;
 }
 
-/// Frames that the filter selects, each with its time in the whole run. Readers show one frame at a time, so of the last
-/// frame of a stage and the first of the next the latter is taken, and of states just before and just after a failure
-/// the former is dated back by the least that a number can.
+/// Frames selected by the filter, each with its time in the whole run. Readers show one frame per time. If the last
+/// frame of a stage and the first frame of the next have the same time, the latter is used. If states just before and
+/// just after a failure have the same time, that of the former is reduced by the smallest possible amount.
 std::map<std::size_t, double> timesOf(const RunSource& run, const TableFilter& filter, const std::map<int, double>& starts) {
     std::vector<RowMoment> moments;
     for (const FrameHead& head : run.frames()) moments.push_back({head.stage, head.time});

@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-/// A quantity's name as the tables have it: `sxx_Pa`, `vx_m_per_s`, `moment_Nm`.
+/// Name of a quantity as in the tables: `sxx_Pa`, `vx_m_per_s`, `moment_Nm`.
 std::string arrayName(const PayloadColumn& column) {
     if (column.unit.empty()) return std::string(column.name);
     std::string unit;
@@ -43,7 +43,7 @@ public:
         return static_cast<std::size_t>(found - columns_.begin());
     }
 
-    /// A column, of these rows in this order; one without a unit is an index or a code.
+    /// The values of a column for these rows, in this order; a column without a unit contains indices or codes.
     VtkArray array(std::size_t column, const std::vector<std::size_t>& rows) const {
         VtkArray result{arrayName(columns_[column]), {}};
         if (columns_[column].unit.empty()) {
@@ -56,7 +56,7 @@ public:
         return result;
     }
 
-    /// Every column but those named.
+    /// Adds all columns except those named.
     void addAll(const std::vector<std::size_t>& rows, const std::vector<std::string_view>& but,
                 std::vector<VtkArray>& arrays) const {
         for (std::size_t column = 0; column < columns_.size(); ++column)
@@ -64,7 +64,7 @@ public:
                 arrays.push_back(array(column, rows));
     }
 
-    /// Two columns as a vector in space, as arrows and deformed shapes need it.
+    /// Two columns as a 3D vector, which arrows and deformed shapes require.
     VtkArray vector(const std::string& name, std::string_view x, std::string_view y,
                     const std::vector<std::size_t>& rows) const {
         std::vector<double> values;
@@ -78,7 +78,8 @@ private:
     std::vector<double> values_;
 };
 
-/// Quantities that the rows of the store do not hold as they are, such as principal stresses. `items` are the frame's.
+/// Adds quantities that are not stored directly, such as principal stresses.
+/// \param items the items of the frame.
 template <typename Item>
 void addDerived(std::span<const FrameQuantity<Item>> quantities, const std::vector<Item>& items,
                 const std::vector<std::size_t>& rows, std::vector<VtkArray>& arrays) {
@@ -131,7 +132,7 @@ void VtkBlocks::zero() {
         if (!last_[i].empty()) reference_[i] = last_[i];
 }
 
-/// By the block's rigid motion where the corners of the reference are not known.
+/// Uses the block's rigid motion if the corners of the reference are not known.
 Point VtkBlocks::displacementOf(const BlockState& block, std::size_t index, std::size_t corner) const {
     const Point& now = block.points[corner];
     if (reference_[index].size() == block.points.size()) return now - reference_[index][corner];
@@ -145,7 +146,7 @@ VtkPolyData VtkBlocks::data(const Frame& frame) {
         if (stages[static_cast<std::size_t>(stage_) + 1].zeroDisplacements) zero();
     VtkPolyData data;
     std::vector<double> moved;
-    std::vector<std::size_t> rows;  // the block of each cell
+    std::vector<std::size_t> rows;  // block of each cell
     for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
         const BlockState& block = frame.blocks[i];
         const auto first = static_cast<std::int64_t>(data.points.size());
@@ -177,16 +178,16 @@ VtkPolyData VtkBlocks::data(const Frame& frame) {
 
 namespace {
 
-/// The values that belong to the element that begins at a node, or to the plate at the last one.
+/// Columns that belong to the element that begins at a node, or to the face plate at the last node.
 const std::vector<std::string_view> elementColumns{"axial_force", "shear_force", "ruptured"};
 
 struct BoltCells {
-    std::vector<std::size_t> rows;  // the node that each begins at
-    std::vector<std::int32_t> plates;  // 1 for a plate
-    std::vector<std::int32_t> elements;  // counted from 0 at the far end; −1 for a plate
+    std::vector<std::size_t> rows;  // node at which each cell begins
+    std::vector<std::int32_t> plates;  // 1 for a face plate
+    std::vector<std::int32_t> elements;  // numbered from 0 at the far end; −1 for a face plate
 };
 
-/// Plates first: VTK has vertices before lines.
+/// Face plates come first, because VTK puts vertices before lines.
 BoltCells addBoltCells(const Frame& frame, VtkPolyData& data) {
     BoltCells cells;
     const auto add = [&](VtkCells& kind, std::vector<std::int64_t> points, int element) {
@@ -258,7 +259,7 @@ VtkPolyData vtkContacts(const RunSource& run, const Frame& frame) {
     data.pointData.push_back(namesOf("name_a", run.blockNames(), a));
     data.pointData.push_back(namesOf("name_b", run.blockNames(), b));
     const Rows contacts(Payload::Contacts, frame);
-    contacts.addAll(all(contacts.size()), {"nx", "ny"}, data.pointData);  // derived below: they are not indices
+    contacts.addAll(all(contacts.size()), {"nx", "ny"}, data.pointData);  // added below, as they are not indices
     addDerived(contactQuantities(), frame.contacts, all(contacts.size()), data.pointData);
     data.pointData.push_back(contacts.vector("normal_vector", "nx", "ny", all(contacts.size())));
     std::vector<double> forces;

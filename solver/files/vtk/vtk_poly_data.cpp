@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The XML says of each array where its bytes begin after the mark `_` of the
-// appended part: first their number, then they themselves. Bytes are gathered first
-// and follow in the same order.
+// The XML part states, for each array, where its bytes begin after the mark `_` of the
+// appended part. The number of bytes comes first, followed by the bytes themselves.
+// The bytes are collected first and written in the same order.
 #include "solver/files/vtk/vtk_poly_data.h"
 
 #include "solver/scene/number_text.h"
