@@ -74,7 +74,7 @@ private:
                     addAt(node.block, ForceSource::Bolt, static_cast<int>(bolt), node.position, frame_.forces.nodes[row++]);
     }
 
-    /// A bond gives both cells the same force at the same place, in opposite directions, and opposite couples.
+    /// A bond exerts equal and opposite forces on its two cells at the same point, and opposite couples.
     void addOther(const BlockForce& force) {
         add(force);
         if (force.source != ForceSource::Glue) return;

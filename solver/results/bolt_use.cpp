@@ -13,9 +13,9 @@ namespace keyblock {
 
 namespace {
 
-/// Blocks of the scene that a bolt passes from its head on, without the one that holds its far end; by their first rows.
+/// First rows of the blocks through which a bolt passes, from its head on, without the block at its far end.
 std::vector<int> heldBlocks(const std::vector<BoltNodeFrame>& nodes, const SolvedBlocks& solved) {
-    std::vector<int> passed;  // from the far end
+    std::vector<int> passed;  // starting at the far end
     for (const BoltNodeFrame& node : nodes) {
         if (node.block < 0) continue;
         const int block = solved.blocks[static_cast<std::size_t>(node.block)].block;
@@ -51,7 +51,7 @@ std::string useText(const BoltUse& use) {
            rounded(std::round(1000.0 * use.highest()) / 10.0) + " %";
 }
 
-/// Bolts come at the beginning of a stage, so that its first frame shows them.
+/// Bolts are installed at the start of a stage, so its first frame shows them.
 std::vector<std::vector<BoltNodeFrame>> boltsAsInstalled(const RunSource& run) {
     std::vector<std::vector<BoltNodeFrame>> bolts(run.scene().bolts.size());
     int stage = -1;

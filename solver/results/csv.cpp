@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers go through std::to_chars, the only formatting that no locale reaches.
+// Numbers are formatted with std::to_chars, the only formatting that does not depend
+// on the locale.
 #include "solver/results/csv.h"
 
 #include <array>

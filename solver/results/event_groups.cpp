@@ -43,7 +43,7 @@ std::string EventCounts::kindsText(EventGroup group) const {
     return text;
 }
 
-/// The group is named only where several of its kinds occurred.
+/// Names the group only if several of its kinds of event occurred.
 std::string EventCounts::text() const {
     std::string all;
     for (const EventGroupRow& group : eventGroups) {

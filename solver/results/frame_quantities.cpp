@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables keep the signs of the results (tension positive); figures show rock
-// stress with compression positive, as rock mechanics does, and say so.
+// Tables keep the signs of the results (tension positive). Figures show rock stress
+// with compression positive, as is usual in rock mechanics, and state this.
 #include "solver/results/frame_quantities.h"
 
 #include "solver/scene/units.h"
@@ -70,7 +70,7 @@ const FrameQuantity<ContactFrame> ofContacts[]{
      {"Contact normal along y", "", 1.0, "push on block a", true}},
 };
 
-/// A quantity of bolts, read off a node of a frame.
+/// A bolt quantity that is read from a node of a frame.
 constexpr FrameQuantity<BoltNodeFrame> ofNode(BoltQuantity quantity, double (*value)(OfNode)) {
     const BoltQuantityRow& row = rowOf(quantity);
     return {row.key, row.column, value, {row.title, row.unit, row.factor, row.convention, row.isSigned}};
@@ -144,7 +144,8 @@ PrincipalStress principalStress(const std::array<double, 3>& stress) {
     const auto [major, minor] = principalValues(stress);
     PrincipalStress principal{major, minor, {1.0, 0.0}};
     if (sxx == syy && sxy == 0.0) return principal;
-    const double angle = 0.5 * std::atan2(-2.0 * sxy, syy - sxx);  // of the most compressive normal
+    // direction of the normal with the largest compression
+    const double angle = 0.5 * std::atan2(-2.0 * sxy, syy - sxx);
     principal.direction = Point(std::cos(angle), std::sin(angle));
     return principal;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Columns are found by counting, not by name: two monitors whose names differ in
-// a space and an underscore share a column name, never a column.
+// Columns are found by position, not by name: two monitors whose names differ only in
+// a space and an underscore share a column name but never a column.
 #include "solver/results/history.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace keyblock {
 
 namespace {
 
-/// "_N": the unit as the end of a column's name.
+/// The unit as the suffix of a column name, for example "_N".
 std::string unitSuffix(BoltQuantity quantity) {
     return std::string(rowOf(quantity).column.substr(rowOf(quantity).key.size()));
 }

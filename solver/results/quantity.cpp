@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The history holds a row just before and one just after every event, at the
-// event's own time, and each event knows the row before it. `first KIND MONITOR`
-// therefore needs no interpolation, however many events share a time.
+// The history has a row just before and a row just after every event, both at the time
+// of the event, and each event refers to the row before it. `first KIND MONITOR`
+// therefore needs no interpolation, however many events occur at the same time.
 #include "solver/results/quantity.h"
 
 #include "solver/results/history.h"

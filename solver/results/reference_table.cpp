@@ -59,7 +59,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" _") - first + 1));
 }
 
-/// `kn m` and `kN·m` are both `knm`.
+/// `kn m` and `kN·m` both become `knm`.
 std::string bare(std::string_view word) {
     std::string text = inLower(word);
     for (const std::string_view dot : {"·", "*", " ", "."})
@@ -67,7 +67,7 @@ std::string bare(std::string_view word) {
     return text;
 }
 
-/// A unit that may end a name without brackets.
+/// True for a unit that may follow a name without brackets.
 bool standsAlone(const MeasureUnit& unit) {
     return unit.measure != Measure::Number;
 }
@@ -77,7 +77,7 @@ bool standsAlone(const MeasureUnit& unit) {
 std::optional<MeasureUnit> measureUnitOf(std::string_view word) {
     const auto found = std::ranges::find(unitNames, bare(word), [](const Word& known) { return bare(known.text); });
     if (found == unitNames.end()) return std::nullopt;
-    return MeasureUnit{found->measure, readUnit(found->text).value_or(Unit{})};  // `-` is a pure number
+    return MeasureUnit{found->measure, readUnit(found->text).value_or(Unit{})};  // `-` denotes a pure number
 }
 
 std::string measureUnitWords() {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The twin in memory of a run store, and queries on any run.
+// The in-memory counterpart of a run store, and queries on any run.
 #include "solver/results/run_source.h"
 
 #include "solver/scene/collapse_stage.h"
@@ -18,7 +18,7 @@ bool endedAsPlanned(Outcome outcome) { return outcome == Outcome::Equilibrium ||
 
 namespace {
 
-/// The stage after it, or the one after that where it is only for a collapse that did not happen.
+/// Index of the next stage, or of the one after it if the next stage requires a collapse that did not happen.
 std::size_t stageBehind(const Scene& scene, const StageResult& result) {
     const std::size_t next = static_cast<std::size_t>(result.stage) + 1;
     const bool skips = next < scene.stages.size() && scene.stages[next].followsCollapse;

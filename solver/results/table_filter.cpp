@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A requested moment need not be one that was kept: the nearest one is
-// taken, and the table says in `time_s` which that was.
+// A requested time need not be a stored one: the nearest stored time is used, and the
+// table gives it in `time_s`.
 #include "solver/results/table_filter.h"
 
 #include <algorithm>
@@ -37,7 +37,8 @@ std::optional<double> numberIn(const std::string& text) {
     return value;
 }
 
-/// Sets the filter's stage; returns what is wrong, or nothing.
+/// Sets the stage of the filter.
+/// \return an error message, or an empty string.
 std::string readStage(const Scene& scene, const std::string& name, TableFilter& filter) {
     const std::optional<int> stage = indexOf(scene.stages, name);
     if (!stage)
@@ -48,7 +49,8 @@ std::string readStage(const Scene& scene, const std::string& name, TableFilter& 
     return {};
 }
 
-/// Sets the filter's moment; returns what is wrong, or nothing.
+/// Sets the time of the filter.
+/// \return an error message, or an empty string.
 std::string readMoment(const Scene& scene, const std::string& at, TableFilter& filter) {
     if (at == "last" || at == "all") {
         filter.when = at == "last" ? When::Last : When::All;

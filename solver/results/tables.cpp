@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One function a table. An index that does not apply gives an empty cell; an event
-// of a pair of blocks names both, with a bar between.
+// One function per table. An index that does not apply gives an empty cell; an event
+// between two blocks names both, separated by a bar.
 #include "solver/results/tables.h"
 
 #include "solver/results/block_forces.h"
@@ -158,7 +158,7 @@ void writeContacts(const RunSource& run, const Frame& frame, const TableFilter&,
     }
 }
 
-/// The other block of a contact or bond, or the bolt; loads, supports and walls have no names.
+/// Name of the other block of a contact or bond, or of the bolt; loads, supports and walls have no names.
 std::string nameOf(const RunSource& run, const BlockForce& force) {
     if (force.source == ForceSource::Bolt) return boltName(run.scene(), force.other);
     return blockName(run.blockNames(), force.other);

@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double balanceAllowed = 0.01;  // energy balance error, over the largest term
+constexpr double balanceAllowed = 0.01;  // allowed error of the energy balance, as a fraction of its largest term
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }
 

@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-/// Notes values of one state.
+/// Records values of one state.
 class Notes {
 public:
     Notes(int stage, double time) : stage_(stage), time_(time) {}
@@ -19,7 +19,7 @@ public:
         if (std::abs(value) > std::abs(peak.value)) peak = {value, at, stage_, time_};
     }
 
-    /// Leaves out the use of a strength that the bolt does not have.
+    /// Omits the utilisation of a strength that the bolt does not have.
     void addUse(BoltPeak& peak, double use, double at) const {
         if (peak.value >= 0.0) add(peak, use, at);
     }

@@ -34,7 +34,7 @@ double debondedLength(const BoltModel& bolt, const BoltMotion& motion) {
     return length;
 }
 
-/// The larger of the moments at the ends of an element, with its sign.
+/// The larger of the two end moments of an element, with its sign.
 double largerMoment(const BoltElementState& e) {
     return std::abs(e.moment1) > std::abs(e.moment2) ? -e.moment1 : e.moment2;
 }
@@ -47,13 +47,14 @@ using OfBolt = const BoltModel&;
 using OfMotion = const BoltMotion&;
 using OfState = const BoltElementState&;
 
-/// How a quantity is read: of each element, of each node or of the whole bolt.
+/// How a quantity is read: per element, per node or for the whole bolt.
 struct Reading {
     BoltQuantity quantity;
     double (*ofElement)(OfBolt, OfMotion, int element) = nullptr;
     double (*ofNode)(const BoltNode&) = nullptr;
     double (*ofBolt)(OfBolt, OfMotion) = nullptr;
-    double (*between)(OfState, double share) = nullptr;  // of elements: from 0 to 1 along one; null: it is constant
+    // for elements: value at a fraction of the length; null: constant
+    double (*between)(OfState, double share) = nullptr;
 };
 
 /// In the order of `BoltQuantity`.
@@ -94,7 +95,7 @@ NodeState stateOf(const AnchorModel& anchor, const BoltNode& node) {
     return node.bond.bonded ? NodeState::Bonded : NodeState::Slipping;
 }
 
-/// What the bond of a node can bear, at its peak and once it slides.
+/// Adds the strength of a node's bond, at its peak and while it slides.
 void addBondLimits(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node, BoltNodeFrame& frame) {
     frame.bondStrength = bondStrengthNow(anchor, motion, node);
     if (frame.bondStrength > 0.0 && !anchor.curve)

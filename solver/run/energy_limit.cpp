@@ -10,8 +10,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double noiseShare = 1e-3;  // of the largest energy of the run
-constexpr double noiseVolume = 1e-9;  // of the largest block, strained by
+constexpr double noiseShare = 1e-3;  // fraction of the largest energy of the run: smaller errors are ignored
+// fraction of the stiffest block: errors below its strain energy at `noiseStrain` are ignored
+constexpr double noiseVolume = 1e-9;
 constexpr double noiseStrain = 1e-4;
 
 double noiseOf(const Model& model) {

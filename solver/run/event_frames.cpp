@@ -10,8 +10,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double shortly = 1e-3;  // of the interval between frames: microseconds in a rockburst
-constexpr double peakShare = 2e-3;  // forces that differ by less look the same
+constexpr double shortly = 1e-3;  // fraction of the interval between frames: microseconds in a rockburst
+constexpr double peakShare = 2e-3;  // relative difference up to which forces look the same
 constexpr double farAbove = 0.05;
 constexpr long fewestPlanned = 40;
 

@@ -16,9 +16,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastShare = 0.1;  // of a block's largest joint movement
+// fraction of the largest joint movement of a block: smaller movements are not reported
+constexpr double leastShare = 0.1;
 
-/// What fails in one stage.
+/// The joints and bolts that fail in one stage.
 class StageFailure {
 public:
     StageFailure(const RunSource& run, const SolvedBlocks& solved, int stage, const Verdict& verdict)
@@ -40,7 +41,7 @@ public:
     }
 
 private:
-    /// With all its cells.
+    /// Adds a block with all its cells.
     void addBlock(int first) {
         const int block = solved_.blocks[static_cast<std::size_t>(first)].block;
         for (std::size_t row = 0; row < moves_.size(); ++row)
@@ -58,7 +59,7 @@ private:
         for (int row = 0; row < static_cast<int>(moves_.size()); ++row)
             if (moves(row)) rows.push_back(row);
         std::map<std::pair<int, int>, FailedJoint> found;
-        std::map<int, double> largest;  // of a block's joints
+        std::map<int, double> largest;  // per block: largest movement of its joints
         for (const MovingJoint& joint : jointsAround(run_.frame(*first_), after, rows)) {
             if (solved_.blocks[static_cast<std::size_t>(joint.blockB)].plateOf >= 0) continue;
             FailedJoint& one = found[{firstRow(joint.blockA), firstRow(joint.blockB)}];
@@ -106,12 +107,12 @@ private:
         }
     }
 
-    /// The last event by which all bonds of a bolt on one side failed; null where one is left, there is none, or the
-    /// face plate holds that side.
+    /// The last of the events in which the bonds on one side of a bolt failed. Null if one of them is intact, if there
+    /// are none, or if the face plate supports that side.
     const Event* debonded(int bolt, const std::vector<BoltNodeFrame>& nodes, bool moving, bool plateHolds,
                           const std::vector<Event>& events) const {
         const Event* last = nullptr;
-        int head = -1;  // block nearest to it
+        int head = -1;  // block nearest to the head
         for (std::size_t n = 0; n < nodes.size(); ++n) {
             if (nodes[n].block < 0) continue;
             head = nodes[n].block;
@@ -128,8 +129,8 @@ private:
     const RunSource& run_;
     const SolvedBlocks& solved_;
     int stage_;
-    std::vector<char> moves_;  // a row per solved block: the verdict names it
-    std::optional<std::size_t> first_;  // frame of the stage
+    std::vector<char> moves_;  // per solved block: true if the verdict lists it
+    std::optional<std::size_t> first_;  // first frame of the stage
     std::size_t last_ = 0;
 };
 

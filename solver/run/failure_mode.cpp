@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks are taken as rigid on their way: what deforms is small compared with what
-// fails. A joint is judged by how its two blocks went at its contacts, because a
-// contact that has opened no longer exists to be queried.
+// The movement of blocks is treated as rigid, because their deformation is small
+// compared with the movement in a failure. The movement of a joint is determined from
+// the motion of its two blocks at its contacts, because a contact that has opened no
+// longer exists.
 #include "solver/run/failure_mode.h"
 
 #include "geometry/segment.h"
@@ -20,10 +21,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr double reportedShare = 0.1;  // of the largest movement, to be reported
+constexpr double reportedShare = 0.1;  // fraction of the largest movement: smaller movements are not reported
 constexpr double plumb = 0.984807753012208;  // cos 10°
-constexpr double touchingCorner = 0.01;  // of the smaller block: its corners so near to an edge touch it
-constexpr double onEdge = 1e-6;  // of the block: a corner may lie on two edges
+// fraction of the smaller block's size: a corner this close to an edge touches it
+constexpr double touchingCorner = 0.01;
+constexpr double onEdge = 1e-6;  // fraction of the block's size: tolerance within which a point lies on two edges
 
 double sizeOf(const BlockState& block) {
     double size = 0.0;
@@ -39,14 +41,14 @@ Point way(const BlockState& before, const BlockState& after, const Point& place)
     return after.centroid + turn * Point(place - before.centroid) - place;
 }
 
-/// Where the point of a block was that is at `place` now.
+/// Earlier position of the point of a block that is now at `place`.
 Point placeBefore(const BlockState& before, const BlockState& after, const Point& place) {
     const Eigen::Rotation2Dd turn(before.rotation - after.rotation);
     return before.centroid + turn * Point(place - after.centroid);
 }
 
-/// Outward normal of the edge of `edges` at `place` that looks most towards `other`.
-/// \pre corners counter-clockwise.
+/// Outward normal, at `place`, of the edge of `edges` that faces `other` most directly.
+/// \pre the corners are in counter-clockwise order.
 Point normalAt(const BlockState& edges, const Point& place, const Point& other) {
     const std::vector<Point>& corners = edges.points;
     double nearest = std::numeric_limits<double>::infinity();
@@ -66,7 +68,7 @@ Point normalAt(const BlockState& edges, const Point& place, const Point& other) 
 
 double movement(const MovingJoint& joint) { return std::hypot(joint.slip, joint.opening); }
 
-/// Sorts by movement, largest first, and leaves out what moves less than a tenth of it.
+/// Sorts by movement, largest first, and omits what moves less than a tenth of the largest movement.
 template <typename Row, typename Measure>
 void keepLargest(std::vector<Row>& rows, const Measure& measure) {
     std::ranges::stable_sort(rows, [&](const Row& a, const Row& b) { return measure(a) > measure(b); });
@@ -74,7 +76,7 @@ void keepLargest(std::vector<Row>& rows, const Measure& measure) {
     std::erase_if(rows, [&](const Row& row) { return measure(row) < least || measure(row) == 0.0; });
 }
 
-/// Block a has a corner at `place`, block b an edge.
+/// A corner of block a touches an edge of block b at `place`.
 struct Touch {
     std::size_t a = 0, b = 0;
     Point place{0.0, 0.0};
@@ -92,7 +94,8 @@ void add(MovingJoint& joint, const Touch& touch, const Frame& before, const Fram
     joint.opening = std::max(joint.opening, opening);
 }
 
-/// Contacts of both frames: when a stage begins nothing may be pressed together yet, when it has failed no more.
+/// Uses the contacts of both frames: at the start of a stage blocks may not be pressed together yet, and after a
+/// failure they may no longer be.
 std::vector<MovingJoint> jointsBetween(const Frame& before, const Frame& after) {
     std::map<std::pair<int, int>, MovingJoint> joints;
     const auto look = [&](const Frame& frame) {
@@ -120,7 +123,7 @@ bool isApart(const BlockState& a, const BlockState& b, double distance) {
     return (a.centroid - b.centroid).norm() > sizeOf(a) + sizeOf(b) + distance;
 }
 
-/// Corners of block a that lie on edges of block b.
+/// Adds the corners of block a that lie on edges of block b.
 void addTouches(const Frame& frame, std::size_t a, std::size_t b, double distance, std::vector<Touch>& touches) {
     const std::vector<Point>& edges = frame.blocks[b].points;
     for (const Point& corner : frame.blocks[a].points)
@@ -131,7 +134,7 @@ void addTouches(const Frame& frame, std::size_t a, std::size_t b, double distanc
             }
 }
 
-/// Where two blocks lie against each other along a length; empty where only corners meet.
+/// Points at which two blocks touch along a length; empty if only corners meet.
 std::vector<Touch> touchesOf(const Frame& frame, std::size_t a, std::size_t b) {
     const double smaller = std::min(sizeOf(frame.blocks[a]), sizeOf(frame.blocks[b])), distance = touchingCorner * smaller;
     std::vector<Touch> touches;

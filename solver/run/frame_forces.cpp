@@ -39,7 +39,7 @@ public:
 private:
     BodyForce& body(const SingleForce& single) { return forces_.bodies[static_cast<std::size_t>(single.force.block)]; }
 
-    /// Bolts that are not there have nodes in the engine but none in a frame.
+    /// Bolts that are not installed have nodes in the engine but none in a frame.
     void addNodeRows(std::size_t bolt) {
         const int first = static_cast<int>(nodeBlocks_.size());
         for (const BoltNodeFrame& node : frame_.bolts[bolt].nodes) nodeBlocks_.push_back(node.block);
@@ -59,7 +59,7 @@ private:
         (isA ? step.momentA : step.momentB) = single.force.moment;
     }
 
-    /// One end says it all.
+    /// The force at one end is enough.
     void addBond(const SingleForce& single) {
         if (single.force.block < single.force.other) addOther(single);
     }
@@ -79,8 +79,8 @@ private:
     const State& state_;
     const Frame& frame_;
     bool moves_;
-    std::vector<int> contactRows_;  // of the frame, per contact of the state; −1: not shown
-    std::vector<int> nodeRows_;  // of the frame, per node of the engine; −1: of a bolt that is not there
+    std::vector<int> contactRows_;  // per contact of the state: row in the frame; −1: not shown
+    std::vector<int> nodeRows_;  // per node of the engine: row in the frame; −1: bolt not installed
     std::vector<int> nodeBlocks_;  // per node of the frame
     FrameForces forces_;
 };

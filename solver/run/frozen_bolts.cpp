@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the document changes, as where strengths are reduced. A load of a later
-// stage at the same place takes the place of an earlier one, so each stage lets the
-// loads of the stage before fade at their places and puts its own on at theirs.
+// Only the document is changed, as in strength reduction. A load of a later stage
+// replaces an earlier load at the same point. Each stage therefore lets the loads of
+// the previous stage fade out at their points and applies its own at theirs.
 #include "solver/run/frozen_bolts.h"
 
 #include "geometry/polygon.h"
@@ -23,16 +23,16 @@ namespace keyblock {
 
 namespace {
 
-/// Factors of the forces that a stage begins and ends with.
+/// Factors over a stage of the forces from its start (`before`) and of the forces at its end (`after`).
 struct Change {
     Table before, after;
 };
 const Change gradual{{{0.0, 1.0}, {1.0, 0.0}}, {{0.0, 0.0}, {1.0, 1.0}}}, atStart{{{0.0, 0.0}}, {}};
 
-/// A force of a bolt as a load that a scene can hold.
+/// A bolt force as a load that a scene can contain.
 struct FrozenForce {
-    int row = -1;  // of the frame: the block, or the cell of it
-    Point blockAt{0.0, 0.0}, at{0.0, 0.0};  // [m] as the stage begins
+    int row = -1;  // row of the block, or of its cell, in the frame
+    Point blockAt{0.0, 0.0}, at{0.0, 0.0};  // [m], at the start of the stage
     Point force{0.0, 0.0};  // [N]
 };
 
@@ -45,13 +45,13 @@ bool isHeld(const Scene& cut, std::size_t block) {
     });
 }
 
-/// Where the point of a block was that is at `place` now.
+/// Earlier position of the point of a block that is now at `place`.
 Point placeAtFreezing(const BlockState& before, const BlockState& now, const Point& place) {
     const Eigen::Rotation2Dd turn(before.rotation - now.rotation);
     return before.centroid + turn * Point(place - now.centroid);
 }
 
-/// A point well inside: the middle of the longest part of the level line through the centroid.
+/// A point well inside the polygon: the middle of the longest part of the horizontal line through the centroid.
 Point pointInside(const std::vector<Point>& polygon) {
     const Box box = boxOf(polygon);
     const double level = moments(polygon).centroid.y(), tolerance = 1e-9 * (box.max - box.min).norm();
@@ -62,7 +62,8 @@ Point pointInside(const std::vector<Point>& polygon) {
     return from + 0.5 * (longest.first + longest.second) * (to - from);
 }
 
-/// The point itself; of one outside, the nearest on the outline. A plate lies on a face, and faces move.
+/// The point itself or, if it is outside, the nearest point of the outline. A face plate lies on a face, and faces
+/// move.
 Point withinOutline(const std::vector<Point>& polygon, const Point& place) {
     if (locate(polygon, place, 0.0) != Side::Outside) return place;
     Point nearest = place;
@@ -83,7 +84,7 @@ public:
         for (std::size_t block = 0; block < cut.blocks.size(); ++block) held_.push_back(isHeld(cut, block));
     }
 
-    /// What bolts and their plates put on free rock at the end of a stage.
+    /// Forces of bolts and their face plates on free rock at the end of a stage.
     std::vector<FrozenForce> forcesAt(const StageFrames& stage) const {
         std::vector<FrozenForce> list;
         for (const BlockForce& force : blockForces(stage.last))
@@ -97,7 +98,7 @@ private:
         return static_cast<std::size_t>(solved_.blocks[static_cast<std::size_t>(row)].block);
     }
 
-    /// A plate that is a block of its own touches the rock as any block does.
+    /// A face plate that is a block of its own touches the rock like any other block.
     bool isOfBolt(const BlockForce& force) const {
         const bool ofPlate = force.source == ForceSource::Contact && force.other >= rocks();
         return force.block < rocks() && (force.source == ForceSource::Bolt || ofPlate);
@@ -113,7 +114,7 @@ private:
 
     const Scene& cut_;
     SolvedBlocks solved_;
-    std::vector<char> held_;  // per block of the scene
+    std::vector<char> held_;  // per block of the scene: true if it is fixed
 };
 
 void addLoads(const std::vector<FrozenForce>& forces, const Table& table, const Frame& now, Stage& stage) {
@@ -128,12 +129,12 @@ void addLoads(const std::vector<FrozenForce>& forces, const Table& table, const 
     }
 }
 
-/// Gravity and changes of strength act from a stage's start, so what holds against them has to be there.
+/// Gravity and changes of strength act from the start of a stage, so the forces that resist them must act from then on.
 const Change& changeIn(const Scene& scene, std::size_t stage) {
     return stage == 0 || !scene.stages[stage].set.empty() ? atStart : gradual;
 }
 
-/// \param cut knows the bolts of patterns by their names, too.
+/// \param cut the scene after cutting, which also has the bolts of patterns by name.
 bool namesBolt(const std::string& quantity, const Scene& cut) {
     const std::optional<Quantity> read = readQuantity(quantity, cut).quantity;
     if (!read) return false;

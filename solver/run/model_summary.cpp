@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything of the scene is counted as there at once, whichever stage brings it or
-// takes it away: that is the largest system that a step can have.
+// All parts of the scene are counted as if they were active at the same time,
+// whichever stage adds or removes them: this is the largest system that a step can
+// have.
 #include "solver/run/model_summary.h"
 
 #include "solver/engine/bolt/topology.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run may take. How long a pass and a step of this very scene last is timed;
-// how many there will be is taken from runs of the samples and of jointed rock, and
-// said with the range in which those lay. The clock is looked at here alone and
-// affects only what is reported.
+// Estimates the cost of a run. The time of an iteration and of a step is measured for
+// the given scene. Their numbers are estimated from runs of the samples and of jointed
+// rock, and reported with the range found in those runs. Measured times affect only
+// what is reported.
 #include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/search.h"
@@ -24,32 +24,34 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double enoughTime = 0.05;  // [s] of timing
-constexpr int fewestRounds = 2;  // of timing, after one that fixes the pattern
+constexpr int fewestRounds = 2;  // minimum number of timed rounds, after one that fixes the pattern
 
-// Passes, from the samples (2 to 3 an increment without releases, 5 to 10 a release, 1.0 to 1.6 a step of time) and
-// from jointed rock of 110 to 1,000 blocks under gravity (40 to 360 a search, one that collapses some 1e4; 4 to 14 a step
-// of time).
+// Numbers of iterations found in runs. Samples: 2 to 3 per increment without releases, 5 to 10 per release, 1.0 to 1.6
+// per time step. Jointed rock of 110 to 1,000 blocks under gravity: 40 to 360 per search for equilibrium, about 1e4 in
+// a search that ends in a collapse, 4 to 14 per time step.
 constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
 constexpr double passesARockSearch = 200.0, passesARockStep = 4.0;
-constexpr int slidingIncrements = 12, flowingIncrements = 50;  // chosen for a stage in which joints slide, bolts flow
-constexpr double releasedShare = 0.7;  // of what can fail
-constexpr int jointedRock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
+// automatic increments of a stage in which joints slide or bolts yield
+constexpr int slidingIncrements = 12, flowingIncrements = 50;
+constexpr double releasedShare = 0.7;  // fraction of the parts that can fail
+// from this number of free blocks, with three contacts each that may slide, a scene is jointed rock
+constexpr int jointedRock = 20;
 
-constexpr double startSeconds = 0.03;  // of the program and its run store
-constexpr double frameSeconds = 1e-3;  // to keep a frame
-constexpr double programMemory = 14e6;  // [bytes] of the program and its libraries
+constexpr double startSeconds = 0.03;  // to start the program and its run store
+constexpr double frameSeconds = 1e-3;  // to store a frame
+constexpr double programMemory = 14e6;  // of the program and its libraries [bytes]
 
 double secondsSince(const Clock::time_point& start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Times steps of the scene at its start, with all parts active.
+/// Measures the time of steps of the scene at its start, with all parts active.
 class Timing {
 public:
     Timing(const Model& model, const State& start, const std::atomic<bool>* stop)
         : model_(model), state_(start), stop_(stop) {}
 
-    /// False where it was stopped.
+    /// \return false if the measurement was stopped.
     bool measure(CostEstimate& estimate) {
         round();
         pass_ = step_ = 0.0;
@@ -68,7 +70,7 @@ public:
     }
 
 private:
-    /// One step of one pass: search, links, factor and solution, and what accepts it.
+    /// Makes one step with one iteration: contact search, links, factorisation, solution and acceptance.
     void round() {
         auto from = Clock::now();
         State trial = state_;
@@ -79,7 +81,7 @@ private:
         options.inertia = Inertia::Shi;
         options.dt = 1e-3;
         StepProblem problem = buildStep(model_, trial, Loads{}, at, options);
-        for (double& value : problem.load) value += problem.floorForce;  // something to solve for
+        for (double& value : problem.load) value += problem.floorForce;  // so that there is something to solve for
         step_ += secondsSince(from);
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         from = Clock::now();
@@ -93,8 +95,8 @@ private:
         problemMemory_ = memoryOf(problem);
     }
 
-    /// Links twice (of the step and of its energy balance), what an iteration sums, and five copies of the state: the
-    /// last, the trial, the start of an increment, the checkpoint and its bytes.
+    /// Memory for the links twice (for the step and for its energy balance), for the sums of an iteration, and for five
+    /// copies of the state: the last, the trial, the start of an increment, the checkpoint and its bytes.
     double memoryOf(const StepProblem& problem) const {
         const double links = static_cast<double>(problem.links.size());
         double state = static_cast<double>(state_.contacts.size() * sizeof(Contact));
@@ -115,16 +117,16 @@ private:
     double problemMemory_ = 0.0;
 };
 
-/// What decides how many passes there will be.
+/// The properties of a scene that determine the number of iterations.
 struct Nature {
-    int releases = 0;  // that may come one after another
-    bool jointed = false;  // rock whose joints may slide
-    bool slides = false;  // a joint may
+    int releases = 0;  // number of parts that may fail one after another
+    bool jointed = false;  // rock with many joints that may slide
+    bool slides = false;  // a joint may slide
     bool flows = false;  // a bolt may debond or yield
-    bool shears = false;  // a joint may shear steel that forms hinges
+    bool shears = false;  // a joint may shear a bolt until plastic hinges form
 };
 
-/// A bond as strong as the rock is stiff: no strain that the model is for would break it.
+/// True for a bond as strong as the rock is stiff, which no strain within the range of the model would break.
 bool unbreakable(const Model& model, const State& state, const Limit& limit) {
     const Contact& c = state.contacts[static_cast<std::size_t>(limit.owner)];
     const JointModel& joint = model.joints[c.joint];
@@ -176,16 +178,16 @@ StageCost dynamicCost(double steps, const Nature& nature) {
     return cost;
 }
 
-/// Expected increments of a static stage in which the load changes. Where they are chosen, they follow what can happen
-/// in the scene, and the frames that it requests.
+/// Expected number of increments of a static stage in which the load changes. Automatic increments depend on what may
+/// happen in the scene and on the frames that it requests.
 int likelyIncrements(const Scene& scene, const Stage& stage, const Nature& nature) {
     if (stage.increments) return *stage.increments;
     const int frames = static_cast<int>(std::ceil(1.0 / framesEvery(scene, stage).value_or(1.0)));
     return std::max(frames, nature.flows ? flowingIncrements : nature.slides ? slidingIncrements : 1);
 }
 
-/// The stages one after another, as the run's loop takes their increments; walls of excavated rock count as a load
-/// that changes.
+/// Adds the stages one after another, with increments as in the run. Walls of excavated rock count as a load that
+/// changes.
 void addStages(const Scene& scene, const Model& model, State state, const Nature& nature, CostEstimate& estimate) {
     LoadMemory memory;
     StageLoads loads(model, scene, memory);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is not modelled because the scene does not need it: which setting
-// decides, and what that saves.
+// What is not modelled because the scene does not need it: which setting decides this,
+// and what it saves.
 #include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/multipliers.h"
@@ -119,7 +119,7 @@ private:
             "no stage has 'dilations'", "an offset of the gap of every contact");
     }
 
-    /// Unknowns that the motions of all stages take, each block once.
+    /// Number of unknowns prescribed by the motions of all stages; each block counts once.
     int prescribed() const {
         std::vector<char> way(scene_.blocks.size(), 0), turn(scene_.blocks.size(), 0);
         for (const Stage& stage : scene_.stages)

@@ -100,7 +100,7 @@ void Observation::zero(const State& state) {
         for (std::size_t which : {0, 1}) reference_.monitorPoints.push_back(pointNow(state, m, which));
 }
 
-/// Without its outline.
+/// The state of a block without its outline.
 BlockState Observation::blockMoved(const State& state, int index) const {
     const auto i = static_cast<std::size_t>(index);
     const BlockMotion& motion = state.blocks[i];

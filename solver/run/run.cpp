@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The run: stage after stage, each increment or step handed to the engine, what
-// it finds to the sink. All that a step depends on lies in one checkpoint, on which
-// the loop works. At fixed amounts of work what was derived from it is dropped and
-// the checkpoint handed out, so that a run taken up there cannot differ from this one.
+// Runs a scene stage by stage: each increment or step is passed to the engine, and its
+// results to the sink. A single checkpoint, on which the loop works, contains
+// everything on which a step depends. After fixed amounts of work, data derived from
+// it are discarded and the checkpoint is handed out, so that a run resumed from there
+// gives identical results.
 #include "solver/run/run.h"
 
 #include "solver/engine/bolt/topology.h"
@@ -41,12 +42,13 @@
 namespace keyblock {
 namespace {
 
-constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
-constexpr std::size_t stagesToEach = 64;  // finished ones per stage that may start without a checkpoint
-constexpr long energyEvery = 8;  // steps in motion between two looks at the energy balance
-constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
+// iterations between checkpoints: a new pattern and a stored state cost as much as two or three
+constexpr long fewestPasses = 200;
+constexpr std::size_t stagesToEach = 64;  // finished stages per stage that may start without a checkpoint
+constexpr long energyEvery = 8;  // dynamic steps between checks of the energy balance
+constexpr long workBetween = 2000;  // iterations times bodies between the checkpoints of the smallest models
 
-/// Blocks and bolts where the scene has them.
+/// Initial state, with blocks and bolts at their positions in the scene.
 Checkpoint startOf(const Scene& scene, const Model& model) {
     Checkpoint start;
     start.state = makeState(model);
@@ -109,7 +111,8 @@ private:
         return engine_.health.passes - now_.passes >= std::max(fewestPasses, workBetween / std::max(1L, bodies));
     }
 
-    /// A checkpoint holds the results of all stages before, so after thousands of short stages not each can have its own.
+    /// A checkpoint contains the results of all previous stages, so after thousands of short stages not every stage can
+    /// have one.
     bool checkpointDueBetweenStages() const {
         const std::size_t since = now_.results.size() - now_.resultsKept;
         return now_.results.empty() || since * stagesToEach >= now_.results.size() || checkpointDue();
@@ -123,7 +126,7 @@ private:
         sink_.checkpoint(now_);
     }
 
-    /// What of a stage follows from the scene and the checkpoint.
+    /// Derives the data of a stage from the scene and the checkpoint.
     void enterStage() {
         times_ = isStatic() ? incrementTimes(scene_, stage(), loads_) : std::vector<double>{};
     }
@@ -136,7 +139,7 @@ private:
         now_.within = {};
         now_.pace = {};
         now_.firstStep = now_.state.step;
-        now_.passes -= engine_.health.passes;  // it counts on from the last checkpoint
+        now_.passes -= engine_.health.passes;  // continues the count from the last checkpoint
         engine_.health = {};
         setStrengths();
         const std::vector<WallForce> walls = changeActiveParts();
@@ -157,7 +160,8 @@ private:
         return ending;
     }
 
-    /// Removes bolts, excavates blocks and installs bolts. \return the forces of excavated blocks on those that stay.
+    /// Removes bolts, excavates blocks and installs bolts.
+    /// \return the forces of the excavated blocks on those that remain.
     std::vector<WallForce> changeActiveParts() {
         for (const std::string& name : stage().remove)
             for (int bolt : boltsNamed(scene_, name)) removeBolt(model_, now_.state, bolt);
@@ -172,7 +176,7 @@ private:
         return walls;
     }
 
-    /// Sides that let waves out in this stage, and none that did before.
+    /// Makes the sides that this stage names non-reflecting, and no others.
     void setBoundaries() {
         restoreAllSupports(model_, now_.state);
         const std::vector<BoundarySide> sides = viscousSides(stage());
@@ -198,11 +202,12 @@ private:
         for (const InitialVelocity& initial : stage().initialVelocities)
             setVelocity(scene_, model_, initial, now_.state);
         const StepEnding ending = dynamics().begin(now_.state);
-        now_.state.startEnergy += accountedEnergy(model_, now_.state) - before;  // velocities and preload were given
+        // initial velocities and preload are given, not gained
+        now_.state.startEnergy += accountedEnergy(model_, now_.state) - before;
         return ending;
     }
 
-    /// One accepted step, or one move within an increment.
+    /// Makes one accepted step or, in a static stage, one move within an increment.
     StepEnding advance() {
         if (!isStatic()) {
             stepBegan_ = now_.time;
@@ -230,8 +235,8 @@ private:
         return ending;
     }
 
-    /// Energy from nowhere is not a result: the stage fails where the error of its balance exceeds what the scene
-    /// allows.
+    /// Lets the stage fail if the error of the energy balance exceeds the limit of the scene, since results with
+    /// spurious energy are not valid.
     StepEnding checkEnergy() {
         if (now_.state.step % energyEvery != 0 && !stageOver()) return {};
         const auto excess = energyExcess(model_, now_.state, now_.start.blocks, scene_.limits.energy, now_.energy);
@@ -250,7 +255,7 @@ private:
         return failed;
     }
 
-    /// Lengths that were chosen hold until the load turns.
+    /// Begins the next increment. Automatic lengths are kept until the load changes direction.
     void nextIncrement() {
         const std::vector<double> turns = loads_.turns();
         const double time = times_[increment()];
@@ -267,7 +272,7 @@ private:
         return isStatic() ? now_.increment == static_cast<int>(times_.size()) : now_.time >= stage().duration;
     }
 
-    /// Of the increment.
+    /// Loads at the start and the end of the increment.
     LoadPoint loadsBefore() const { return now_.increment == 0 ? loads_.start() : loads_.at(times_[increment() - 1]); }
     LoadPoint loadsAfter() const { return loads_.at(times_[increment()]); }
     std::size_t increment() const { return static_cast<std::size_t>(now_.increment); }
@@ -283,9 +288,9 @@ private:
                 dynamicSettings(scene_, stage())};
     }
 
-    /// \return true where the run continues with the next stage.
+    /// \return true if the run continues with another stage.
     bool endStage(const StepEnding& ending) {
-        if (!now_.begun) {  // stopped before it began
+        if (!now_.begun) {  // stopped before the stage began
             sink_.stageBegins(now_.stage);
             now_.firstStep = now_.state.step;
             now_.time = 0.0;
@@ -336,7 +341,7 @@ private:
         if (!control_.stop) result.message = limit_.message(now_.state.step);
     }
 
-    /// At rest where the stage found it, at rest elsewhere, or at the end of its time.
+    /// Result of a stage that ended at rest in its original position, at rest elsewhere, or at the end of its time.
     void done(StageResult& result, const Stability& stability) const {
         result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration;
         if (!isStatic()) result.unstable = stability.moving();
@@ -376,7 +381,8 @@ private:
         afterEvent(now_.state, now_.time);
     }
 
-    /// Events that need no release, with a history row either side. The extremes of the state are known already.
+    /// Reports events that need no release, with a history row before and after each. The extremes of the state have
+    /// already been recorded.
     void lookAround() {
         for (Event& event : watch_.look(now_.state)) {
             writeRow(now_.state, now_.time);
@@ -413,8 +419,8 @@ private:
         ++now_.written.historyRows;
     }
 
-    /// The state before a bolt fails, unless a frame shortly before shows forces as large. In motion the largest force
-    /// may have been passed on the way.
+    /// Keeps the state before a bolt fails, unless a frame shortly before it shows equally large forces. In a dynamic
+    /// stage, the largest force may have occurred before this state.
     void keepBefore(const Event& event, const State& state, double time) {
         EventFrames& frames = now_.eventFrames;
         frames.owed = true;
@@ -427,14 +433,14 @@ private:
         frames.before = now;
     }
 
-    /// Where the last step in motion began, if a bolt had its largest force so far there.
+    /// Keeps the state at the start of the last dynamic step if a bolt had its largest force so far there.
     void keepPassedPeak(const State& state) {
         if (isStatic() || stepBegan_ == now_.time) return;
         const State& before = engine_.taken.before;
         if (passedPeak(model_, before, state, now_.eventFrames)) keepEventFrame(before, stepBegan_, false);
     }
 
-    /// The state after failures of bolts, once no more follow at this load or shortly after.
+    /// Keeps the state after bolts have failed, once no more fail at this load or shortly after.
     void keepAfter() {
         EventFrames& frames = now_.eventFrames;
         const KeptAt now{now_.stage, now_.time};
@@ -451,7 +457,7 @@ private:
         ++frames.kept;
     }
 
-    /// A frame when one is due; always the stage's last, but never the same twice.
+    /// Keeps a frame if one is due. The last frame of a stage is always kept, but never the same state twice.
     void keepFrame(bool last) {
         FrameClock& clock = now_.frames;
         const bool due = last ? clock.keptStep != now_.state.step || clock.keptStage != now_.stage
@@ -478,7 +484,7 @@ private:
         ++now_.written.frames;
     }
 
-    /// In motion those of the last step; where there was none, as where a motion begins.
+    /// In a dynamic stage, the forces over the last step, or those at the start if there has been no step.
     std::vector<SingleForce> forcesIn(const State& state) const {
         const LoadPoint at = ended_ ? *ended_ : loadsReached();
         if (isStatic()) return forcesAtRest(model_, state, loads_.loads(), at);
@@ -487,8 +493,8 @@ private:
         return forcesAtStart(model_, state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }
 
-    /// Waits between two steps while the run is paused, except for single steps that are requested. A step that is
-    /// under way is finished first: in the middle of one there is no state to show.
+    /// Waits between two steps while the run is paused, except for single steps that are requested. A step in progress
+    /// is completed first, because there is no state to show in the middle of it.
     bool stopAsked() {
         if (atRest_ && control_.pause && !control_.stop && !stepping_) {
             const auto paused = std::chrono::steady_clock::now();
@@ -507,8 +513,8 @@ private:
         }
     }
 
-    /// Hands over the state between two steps to the observer; nothing of it is kept, and its single forces, which
-    /// no view shows, are not listed.
+    /// Passes the state between two steps to the observer. The frame is not stored, and its single forces are not
+    /// listed because no view shows them.
     void show() {
         if (!control_.looked || !now_.begun || !control_.look.exchange(false)) return;
         Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
@@ -534,20 +540,20 @@ private:
         control_.progress(progress);
     }
 
-    const Scene& document_;  // as it was given
-    const Scene& scene_;  // as it is solved: cut
+    const Scene& document_;  // as given
+    const Scene& scene_;  // as solved, after cutting
     Sink& sink_;
     Control& control_;
     RunLimit limit_;
-    Model model_;  // never changes but for the joints' strengths that a stage sets
+    Model model_;  // constant, except for joint strengths that a stage changes
     Checkpoint now_;
     Engine engine_;
     StageLoads loads_;
     Observation observation_;
     Watch watch_;
-    std::vector<double> times_;  // of a static stage's increments
-    std::optional<LoadPoint> ended_;  // what acts at the end of a stage, while that is written
-    double stepBegan_ = 0.0;  // the last step in motion, in the time of the stage
+    std::vector<double> times_;  // end times of a static stage's increments
+    std::optional<LoadPoint> ended_;  // loads at the end of a stage, while its result is being written
+    double stepBegan_ = 0.0;  // start of the last dynamic step, in the time of the stage
     bool stepping_ = false;  // while paused
     bool atRest_ = false;  // between two steps
 };

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The search knows only whether a run is stable. Of the runs themselves nothing is
-// kept but two frames of a stage, because many runs of many frames would fill the memory.
+// The search only needs to know whether a run is stable. Only the first and last
+// frames of a stage are kept, because many runs with many frames would fill the
+// memory.
 #include "solver/run/safety.h"
 
 #include "solver/run/frozen_bolts.h"
@@ -16,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-/// Keeps the first and the last frame of the stage that decides, or of every stage.
+/// Keeps the first and the last frame of the decisive stage, or of every stage.
 class DecisiveStage : public Sink {
 public:
     explicit DecisiveStage(bool keepsAll) : keepsAll_(keepsAll) {}
@@ -65,7 +66,7 @@ SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& report) {
     SafetyFactor found;
     const bool freezes = scene.safety.boltForces == BoltForces::Frozen;
-    std::optional<Scene> frozen;  // after the run at 1
+    std::optional<Scene> frozen;  // scene with frozen bolt forces, once the run at factor 1 has ended
     std::size_t undecided = 0;
     while (const auto factor = nextSafetyFactor(found.lower, found.upper, scene.safety.tolerance, undecided)) {
         const bool toFreeze = freezes && !frozen;

@@ -9,8 +9,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr long shortSearch = 10;  // solves: most searches end before
-constexpr double leastMove = 1e-5;  // [m] worth naming a block
+constexpr long shortSearch = 10;  // number of solutions; most searches end earlier
+constexpr double leastMove = 1e-5;  // [m]; a block that moves less is not named
 
 }  // namespace
 

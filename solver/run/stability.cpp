@@ -15,10 +15,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double asFar = 0.9;  // of the way of a displaced block: what is joined to it and went so far is named with it
-constexpr double itsOwnWay = 0.5;  // of the way of its neighbour: what went less was left, and did not leave
-constexpr double namedMove = 0.05;  // of its size: a block that a collapse has moved so far is named, though it rests now
-constexpr double slow = 0.02;  // [m/s] at which a block may still move when a dynamic stage ends
+// fraction of a displaced block's movement: a block joined to it that moved as far is named with it
+constexpr double asFar = 0.9;
+constexpr double itsOwnWay = 0.5;  // fraction of a neighbour's movement; a block that moved less was left behind by it
+// fraction of a block's size: a block that a collapse has moved this far is named even if it is at rest now
+constexpr double namedMove = 0.05;
+constexpr double slow = 0.02;  // [m/s]; a block that moves faster at the end of a dynamic stage may be unstable
 constexpr double touching = 10.0;  // times the geometric tolerance
 
 std::size_t at(int row) { return static_cast<std::size_t>(row); }
@@ -27,7 +29,7 @@ bool touches(const Model& model, const Contact& c) {
     return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= touching * model.tolerance;
 }
 
-/// Where a body carries a place of the start to.
+/// Position to which a body has carried a point that was at `place` at the start.
 Point carriedBy(const BlockMotion& before, const BlockMotion& now, const Point& place) {
     return now.centroid + Eigen::Rotation2Dd(now.angle - before.angle) * Point(place - before.centroid);
 }
@@ -68,7 +70,7 @@ Stability::Stability(const Model& model, const StageStart& start, const State& s
     exemptDriven(loads);
 }
 
-/// What a motion or a dilation drives, and all that is joined to it without passing a held block.
+/// Exempts blocks that a motion or a dilation drives, and all blocks joined to them without a fixed block in between.
 void Stability::exemptDriven(const Loads& loads) {
     std::vector<int> driven;
     const auto exempt = [&](int row) {
@@ -93,7 +95,7 @@ bool Stability::decides(int first) const {
            !exempt_[at(first)] && wholeArea(model_, first) >= smallest_;
 }
 
-/// From the middle of a block to its farthest corner [m].
+/// Distance from the middle of a block to its farthest corner [m].
 double Stability::reach(int first) const {
     const auto begin = start_.blocks.begin() + first, end = start_.blocks.begin() + endOfWhole(model_, first);
     const Point middle = std::accumulate(begin, end, Point(0.0, 0.0), [](const Point& sum, const BlockMotion& b) -> Point {
@@ -105,7 +107,7 @@ double Stability::reach(int first) const {
     return farthest;
 }
 
-/// Of the corner that went farthest from where `other` would have carried it [m].
+/// Largest distance of a corner from the position to which `other` would have carried it [m].
 double Stability::movedFrom(int row, int other) const {
     double farthest = 0.0;
     const BlockMotion &before = start_.blocks[at(row)], &now = state_.blocks[at(row)];
@@ -115,7 +117,7 @@ double Stability::movedFrom(int row, int other) const {
     return farthest;
 }
 
-/// Of the corner that went farthest [m].
+/// Largest displacement of a corner [m].
 double Stability::movedItself(int first) const {
     double farthest = 0.0;
     for (int row = first; row < endOfWhole(model_, first); ++row) {
@@ -126,7 +128,8 @@ double Stability::movedItself(int first) const {
     return farthest;
 }
 
-/// Seen from what it touched or was bolted to, and did not itself leave it; of what touched nothing, all of its way [m].
+/// Movement relative to the blocks that it touched or was bolted to, except those that moved away from it; the full
+/// movement if it touched none [m].
 double Stability::moved(int first) const {
     const double itself = movedItself(first);
     if (neighbours_[at(first)].empty()) return itself;
@@ -191,7 +194,7 @@ std::vector<int> Stability::displacedBlocks(double share) const {
     return left;
 }
 
-/// Of its middle against what it touches now, or against the ground where it touches nothing [m/s].
+/// Largest velocity relative to the blocks that it touches now; its own velocity if it touches none [m/s].
 double Stability::speed(int first) const {
     const auto velocity = [&](int row) {
         const BlockMotion& block = state_.blocks[at(row)];
@@ -208,7 +211,7 @@ double Stability::speed(int first) const {
     return alone ? velocity(first).norm() : fastest;
 }
 
-/// It went no less far in the last tenth of the stage than in the one before.
+/// True if it moved at least as fast in the last tenth of the stage as in the tenth before.
 bool Stability::keepsItsSpeed(int first) const {
     if (start_.nine.centroids.empty() || start_.nine.time <= start_.eight.time) return true;
     const Point &eight = start_.eight.centroids[at(first)], &nine = start_.nine.centroids[at(first)];

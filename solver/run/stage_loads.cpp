@@ -15,7 +15,7 @@ namespace {
 
 const Table always{{0.0, 1.0}};
 
-/// Straight lines between the entries, held before the first and after the last.
+/// Linear interpolation between the entries; constant before the first and after the last.
 double valueAt(const Table& table, double time) {
     if (time <= table.front().first) return table.front().second;
     for (std::size_t i = 1; i < table.size(); ++i) {
@@ -34,14 +34,14 @@ bool changes(const Table& table) {
     });
 }
 
-/// Places as the scene writes them, so that they stay the same where the rock has moved.
+/// Compares positions as given in the scene, which do not change when the rock moves.
 bool samePlace(const Load& before, const Load& now, bool sameBlock) {
     if (now.along) return before.along == now.along;
     if (now.point) return before.point == now.point;
     return before.blockAt && sameBlock && before.at == now.at;
 }
 
-/// Leaves out rows of several lists at once.
+/// Removes rows from several lists at once.
 template <class Rows, class... Others>
 void dropRows(const std::vector<char>& drop, Rows& rows, Others&... others) {
     std::size_t kept = 0;
@@ -58,13 +58,13 @@ void dropRows(const std::vector<char>& drop, Rows& rows, Others&... others) {
 
 int StageLoads::blockHolding(const State& state, const Point& place) const {
     const Point p = place - model_.origin;
-    const auto rocks = static_cast<std::size_t>(model_.firstOf.back());  // places are in rock, never in a plate
+    const auto rocks = static_cast<std::size_t>(model_.firstOf.back());  // points are in rock, never in a face plate
     const auto stands = [&](std::size_t block) { return !state.blocks[block].absent; };
     for (std::size_t i = 0; i < rocks; ++i)
         if (stands(i) && locate(state.blocks[i].corners, p, model_.tolerance) == Side::Inside) return static_cast<int>(i);
     for (std::size_t i = 0; i < rocks; ++i)
         if (stands(i) && locate(state.blocks[i].corners, p, model_.tolerance) == Side::Boundary) return static_cast<int>(i);
-    // the block has moved away from where the scene shows it: the place as it was at the start
+    // the block has moved away from its position in the scene: use its position at the start
     for (std::size_t i = 0; i < rocks; ++i)
         if (stands(i) && locate(startCorners(model_.blocks[i]), p, model_.tolerance) != Side::Outside) return static_cast<int>(i);
     return -1;
@@ -74,7 +74,8 @@ const Load& StageLoads::loadOf(const LoadSource& source) const {
     return scene_.stages[static_cast<std::size_t>(source.stage)].loads[static_cast<std::size_t>(source.row)];
 }
 
-/// The line is that of the scene, so the edges are looked for where the scene has them, wherever they are now.
+/// The line is given in the geometry of the scene, so edges are searched at their original positions, wherever they are
+/// now.
 void StageLoads::addPressure(int row, const State& state) {
     const Load& load = stage().loads[static_cast<std::size_t>(row)];
     const Point a = (*load.along)[0] - model_.origin, b = (*load.along)[1] - model_.origin;
@@ -120,7 +121,7 @@ void StageLoads::addLoad(int row, const State& state) {
     addForce({holding, materialPlace(motion, at - model_.origin), load.force}, row);
 }
 
-/// At the block's centroid: at those of its cells by their mass.
+/// Applies the load at the block's centroid, or at the centroids of its cells in proportion to their mass.
 void StageLoads::addSpread(int row, int block) {
     const Point& force = stage().loads[static_cast<std::size_t>(row)].force;
     const BlockModel& named = model_.blocks[static_cast<std::size_t>(block)];
@@ -141,7 +142,7 @@ void StageLoads::addForce(const PointForce& force, int row) {
     memory_.start.forces.push_back(0.0);
 }
 
-/// What is replaced stays in the list: in the stage's first increment it fades out as the other comes in.
+/// A replaced load stays in the list: it fades out in the first increment of the stage while the new one is applied.
 void StageLoads::replace(const Load& load, int block) {
     for (std::size_t i = 0; i < memory_.forceSources.size(); ++i) {
         LoadSource& source = memory_.forceSources[i];
@@ -184,8 +185,8 @@ void StageLoads::begin(int stage, State& state) {
     if (!keepsAcceleration()) memory_.start.acceleration = {0.0, 0.0};
 }
 
-/// That of a dynamic stage ends with it, and a dynamic stage starts without any, but for what follows a collapse; static
-/// ones change it in proportion.
+/// True if the stage starts with the body acceleration of the previous one. This requires a static stage before it. The
+/// stage itself must be static, and then changes the acceleration in proportion, or follow a collapse.
 bool StageLoads::keepsAcceleration() const {
     const bool follows = memory_.stage > 0;
     const bool takesOver = stage().kind == StageKind::Static || stage().followsCollapse;
@@ -210,7 +211,7 @@ void StageLoads::quieten(const std::vector<Dashpot>& dashpots, const std::vector
         memory_.wallStages[i] = -1;
 }
 
-/// Share of a wall's force that still acts at the stage's end.
+/// Fraction of a wall's force that still acts at the end of the stage.
 double StageLoads::wallAtEnd(std::size_t wall) const {
     const double now = memory_.start.walls[wall];
     if (stage().kind == StageKind::Dynamic && !stage().relaxation) return now;
@@ -239,7 +240,7 @@ void StageLoads::forgetAbsent(const State& state) {
     dropRows(walls, loads.walls, memory_.wallStages, start.walls);
 }
 
-/// Loads that have faded out; a stage that ended before its time leaves some of them.
+/// Removes loads that have faded out; some remain if a stage ended early.
 void StageLoads::forgetReplaced() {
     const auto gone = [](const std::vector<LoadSource>& sources, const std::vector<double>& values) {
         std::vector<char> drop;
@@ -252,13 +253,14 @@ void StageLoads::forgetReplaced() {
     dropRows(gone(memory_.pressureSources, start.pressures), loads.pressures, memory_.pressureSources, start.pressures);
 }
 
-/// How far the block was along the motion's axis where displacements begin to count.
+/// Displacement of the block along the axis of its motion from its start to the point at which displacements were last
+/// reset.
 double StageLoads::zeroOf(const PrescribedMotion& motion) const {
     const auto block = static_cast<std::size_t>(motion.block);
     return memory_.zero.empty() ? 0.0 : motion.axis.dot(memory_.zero[block] - model_.blocks[block].centroid);
 }
 
-/// Joints that open over this stage, in addition to what they did before.
+/// Adds the opening of joints over this stage to that of earlier stages.
 void StageLoads::addOpenings(double time, LoadPoint& point) const {
     for (const Dilation& dilation : stage().dilations) {
         const std::size_t byName = model_.joints.size() + static_cast<std::size_t>(std::max(0, dilation.source));
@@ -299,7 +301,7 @@ LoadPoint StageLoads::at(double time) const {
     return point;
 }
 
-/// Those of this stage, of what really acts.
+/// Tables of this stage for the loads and motions that act.
 std::vector<const Table*> StageLoads::tables() const {
     std::vector<const Table*> found;
     for (const auto* sources : {&memory_.forceSources, &memory_.pressureSources})

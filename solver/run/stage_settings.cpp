@@ -94,7 +94,7 @@ std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const
 void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state) {
     const auto rock = static_cast<std::size_t>(blockAt(scene, initial.blockAt));
     const int first = model.firstOf[rock], end = model.firstOf[rock + 1];
-    Point middle{0.0, 0.0};  // of mass, the block's own or that of its cells
+    Point middle{0.0, 0.0};  // mass times centroid, summed over the block or its cells
     double mass = 0.0;
     for (int row = first; row < end; ++row) {
         middle += model.blocks[row].mass * state.blocks[row].centroid;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the document changes: what runs is an ordinary scene, so that every law,
-// lagged limit and event is the one that `run` knows.
+// Only the document is changed: what runs is an ordinary scene, so that every law,
+// lagged limit and event is the same as in `run`.
 #include "solver/run/strength_reduction.h"
 
 #include "solver/scene/pointer.h"
@@ -17,7 +17,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Angle [°] whose tangent is that of `angle` over `factor`; through the tangent and back digits could change.
+/// Angle [°] whose tangent is that of `angle` over `factor`. A factor of 1 keeps the angle as it is, because conversion
+/// to a tangent and back could change its last digits.
 double reducedAngle(double angle, double factor) {
     return factor == 1.0 ? angle : std::atan(std::tan(angle * degree) / factor) / degree;
 }
@@ -47,8 +48,8 @@ void reduceJoints(Scene& scene, double factor) {
         }
 }
 
-/// A curve shrinks towards its origin, so that its slopes stay, as the stiffness of the other laws does; a bond that
-/// softens likewise.
+/// A curve is scaled towards its origin, so that its slopes stay the same, like the stiffness of the other laws. The
+/// same applies to a softening bond.
 void reduceAnchors(std::vector<Anchor>& anchors, double factor) {
     for (Anchor& anchor : anchors) {
         divide(anchor.strength, factor);
