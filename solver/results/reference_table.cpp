@@ -42,7 +42,7 @@ constexpr std::array<Word, 24> unitNames{{{"s", Measure::Time},
                                           {"1"},
                                           {"-"}}};
 
-/// By `Measure`.
+/// Indexed by `Measure`.
 constexpr std::array<std::string_view, 6> measureWords{"number", "time", "length", "force", "moment", "energy"};
 constexpr std::array<std::string_view, 6> siSuffixes{"", "_s", "_m", "_N", "_Nm", "_J"};
 

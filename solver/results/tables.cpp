@@ -136,7 +136,7 @@ void writeBolts(const RunSource& run, const Frame& frame, const TableFilter& fil
 void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
     for (int index = 0; index < static_cast<int>(frame.blocks.size()); ++index) {
         const BlockState& block = frame.blocks[static_cast<std::size_t>(index)];
-        if (block.area == 0.0) continue;  // not there
+        if (block.area == 0.0) continue;  // not active
         beginRow(csv, run.scene(), {frame.stage, frame.time});
         csv.text(blockName(run.blockNames(), index)).number(block.centroid.x()).number(block.centroid.y());
         endWithQuantities(csv, block, blockQuantities());

@@ -81,7 +81,7 @@ private:
     bool moves_;
     std::vector<int> contactRows_;  // per contact of the state: row in the frame; −1: not shown
     std::vector<int> nodeRows_;  // per node of the engine: row in the frame; −1: bolt not installed
-    std::vector<int> nodeBlocks_;  // per node of the frame
+    std::vector<int> nodeBlocks_;  // block of each node of the frame
     FrameForces forces_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double enoughTime = 0.05;  // [s] of timing
+constexpr double enoughTime = 0.05;  // minimum duration of the timing [s]
 constexpr int fewestRounds = 2;  // minimum number of timed rounds, after one that fixes the pattern
 
 // Numbers of iterations found in runs. Samples: 2 to 3 per increment without releases, 5 to 10 per release, 1.0 to 1.6

@@ -554,7 +554,7 @@ private:
     std::vector<double> times_;  // end times of a static stage's increments
     std::optional<LoadPoint> ended_;  // loads at the end of a stage, while its result is being written
     double stepBegan_ = 0.0;  // start of the last dynamic step, in the time of the stage
-    bool stepping_ = false;  // while paused
+    bool stepping_ = false;  // a single step is made while paused
     bool atRest_ = false;  // between two steps
 };
 

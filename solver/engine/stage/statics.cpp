@@ -135,7 +135,7 @@ private:
 
     bool isChosen() const { return settings_.chosen && span() > 0.0; }
 
-    /// In pseudo-time.
+    /// Length of the increment in pseudo-time.
     double span() const { return b_.time - a_.time; }
 
     LoadPoint reached() const { return between(a_, b_, progress_.done); }

@@ -24,7 +24,7 @@ constexpr double exhausted = 1e-14;  // fraction of the first residual: GMRES ha
 /// A sliding link whose force changes by `factor` times the strain of the link that limits it.
 struct Sliding {
     std::size_t limited = 0, from = 0;
-    double factor = 0.0;  // share included [N/m]
+    double factor = 0.0;  // multiplied by `Law::share` [N/m]
 };
 
 std::vector<Sliding> slidingLinks(const StepProblem& problem, const Trial& at) {

@@ -164,7 +164,7 @@ void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, in
     const std::size_t count = static_cast<std::size_t>(n);
     std::vector<int> start(count + 1, 0);
     for (const auto& [i, j] : pairs) ++start[static_cast<std::size_t>(std::min(placeOf(i), placeOf(j))) + 1];
-    for (std::size_t k = 0; k < count; ++k) start[k + 1] += start[k] + 1;  // and the diagonal
+    for (std::size_t k = 0; k < count; ++k) start[k + 1] += start[k] + 1;  // plus the diagonal entry
 
     std::vector<int> row(static_cast<std::size_t>(start[count]));
     std::vector<int> next(start.begin(), start.end() - 1);
@@ -317,7 +317,7 @@ bool LinearSystem::Detail::updateColumns(bool add, std::span<const SparseColumn>
     const auto* start = static_cast<const int*>(updated->p);
     const auto* values = static_cast<const double*>(updated->x);
     for (std::size_t column = 0; column < updated->n; ++column)
-        if (!(values[start[column]] > 0.0)) return false;  // NaN too
+        if (!(values[start[column]] > 0.0)) return false;  // also for NaN
     return true;
 }
 

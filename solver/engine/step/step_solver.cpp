@@ -13,8 +13,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double stall = 0.2;  // step length of a line search below which the contact states must be wrong
-constexpr double astray = 2.0;  // times the previous residual: the same holds if a step leaves more
+constexpr double stall = 0.2;  // length below which a line search has met wrong contact states
+constexpr double astray = 2.0;  // times the previous residual: a step that leaves more has met wrong contact states
 // times the previous residual: a full step that leaves no more, or converges, needs no line search
 constexpr double improves = 0.2;
 // iterations after which a step that increases the residual is shortened, to prevent cycles

@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int leastPanel = 8, mostPanel = 24;  // columns
+constexpr int leastPanel = 8, mostPanel = 24;  // columns per panel
 // ranks per group, one bit of a mask each: the cost of products between ranks grows with the group
 constexpr std::size_t groupSize = 32;
 

@@ -222,7 +222,7 @@ private:
 
     void tellUnusedBlocks() {
         for (const auto& [key, block] : content_.blocks) {
-            const bool ofProgram = block.name.starts_with('*');  // sheets, dimensions, hatches
+            const bool ofProgram = block.name.starts_with('*');  // used for sheets, dimensions and hatches
             if (!used_.contains(key) && !block.entities.empty() && !ofProgram)
                 addProblem(drawing_.problems,
                            {Severity::Note, "", block.line, "",

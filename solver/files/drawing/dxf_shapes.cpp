@@ -26,7 +26,7 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double fullTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t mostGroups = 4'000'000;  // of one entity
+constexpr std::size_t mostGroups = 4'000'000;  // maximum for one entity
 
 /// Codes of a kind of entity: the required and the optional ones.
 struct ShapeKind {

@@ -83,7 +83,7 @@ std::optional<LayerRole> guessedRole(std::string_view layer) {
 
 std::vector<ImportedLayer> layerRoles(const Drawing& drawing, const ImportSettings& settings,
                                       std::vector<Problem>& problems) {
-    std::map<std::string, std::string> layers, all;  // by lower case
+    std::map<std::string, std::string> layers, all;  // by name in lower case
     for (const DrawnLine& line : drawing.lines) layers.emplace(lowerCase(line.layer), line.layer);
     all = layers;
     for (const NotTaken& item : drawing.notTaken) all.emplace(lowerCase(item.layer), item.layer);

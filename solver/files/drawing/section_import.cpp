@@ -28,7 +28,7 @@ constexpr const char* assumedRock = "assumed-rock";
 constexpr const char* assumedJoint = "assumed-joint";
 constexpr const char* assumedBolt = "assumed-bolt";
 constexpr const char* assumedBoltLike = "rebar-20";
-constexpr double flatBox = 0.01;  // side over side
+constexpr double flatBox = 0.01;  // ratio of the sides below which a bounding box is flat
 constexpr double meetingEnds = 1e-6;  // fraction of the drawing's size: ends closer than this are the same point
 
 class Importer {

@@ -141,7 +141,7 @@ public:
     JsonReading take() {
         if (!failed_)
             return {std::move(root_), std::move(problems_)};
-        values_ = 0;  // closing adds none
+        values_ = 0;  // closing nodes must not exceed the limit
         while (!open_.empty())
             close();
         return {{}, std::move(problems_), std::move(root_)};
@@ -153,8 +153,8 @@ private:
         std::optional<std::string> key;  // key of the member that is being read
     };
 
-    // Line of the last character read. The last one is not counted, because the parser may have read one character past
-    // a number.
+    // Line that the parser has reached. The last character read is not counted, because the parser may have read one
+    // character past a number.
     int line() {
         for (; counted_ + 1 < *reached_; ++counted_)
             line_ += *counted_ == '\n' ? 1 : 0;
@@ -249,7 +249,7 @@ private:
     }
 
     void reportDuplicate(const JsonMember& before, const JsonMember& again) {
-        open_.back().key = again.key;  // for the pointer
+        open_.back().key = again.key;  // so that the pointer ends with this key
         addProblem(problems_, {Severity::Error, "", again.node.line, pointer(),
                                "the key " + inQuotes(again.key) + " is given twice, first on line " +
                                    std::to_string(before.node.line),

@@ -3,7 +3,7 @@
 //
 // The reader loops over the members in the file rather than over the fields of the
 // struct. For missing keys the target therefore keeps its values: its defaults, or
-// those from which it was copied.
+// those copied from another object.
 #include "solver/files/json/object_reader.h"
 
 #include "solver/files/json/field_json.h"

@@ -294,7 +294,7 @@ void packInertia(const Frame& frame, std::vector<double>& out) {
         out.insert(out.end(), {f.inertia.x(), f.inertia.y(), f.inertiaMoment});
 }
 
-/// Reads inertia for the bodies for which weights were read.
+/// Reads the inertia forces of the bodies whose weights have been read.
 /// \param values three per row
 bool unpackInertia(std::span<const double> values, Frame& frame) {
     std::vector<BodyForce>& bodies = frame.forces.bodies;

@@ -26,7 +26,7 @@ const BoltType* findType(const std::vector<BoltType>& types, std::string_view na
     return found == types.end() ? nullptr : &*found;
 }
 
-constexpr int longestChain = 32;  // of types that are based on one another
+constexpr int longestChain = 32;  // maximum number of types based on one another in a chain
 
 class BoltTypeReader {
 public:

@@ -36,7 +36,7 @@ bool isOurs(const std::string& name) {
     throw CannotWrite(cannotWriteText(folder, error.value()));
 }
 
-/// One time series.
+/// A time series of VTK files.
 class Series {
 public:
     Series(const fs::path& folder, std::string_view kind) : folder_(folder), kind_(kind) {}
