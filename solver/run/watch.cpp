@@ -30,7 +30,8 @@ Event jointEvent(EventKind kind, const Contact& c) {
     return event;
 }
 
-/// A piece of the bolt's shank reaches from the block into other rock: what fell out with the block does not hold it.
+/// Whether an unbroken length of the bolt connects the block to other rock. A piece that fell out together with the
+/// block does not support it.
 bool ties(const Model& model, const BoltMotion& bolt, int block) {
     bool inside = false, elsewhere = false;
     for (std::size_t n = 0; n < bolt.nodes.size(); ++n) {
@@ -44,7 +45,7 @@ bool ties(const Model& model, const BoltMotion& bolt, int block) {
     return false;
 }
 
-/// Some contact or bolt holds the block, or a cell of it.
+/// Whether a contact or a bolt supports the block or one of its cells.
 bool carried(const Model& model, const State& state, int block) {
     for (const Contact& c : state.contacts)
         if ((c.bonded || c.normalForce > 0.0) &&
@@ -95,7 +96,7 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
         if (now.contains(pair) || !memory_.opened.insert(pair).second) continue;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
                                         [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
-        // a contact that left the search's margin at once is reported by where it was
+        // if the contact is no longer in the contact list, its last known position is reported
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
     }
     memory_.closed = std::move(now);
@@ -120,12 +121,12 @@ void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         BoltMotion& bolt = state.bolts[b];
         if (!acts(bolt)) continue;
-        memory_.inhabited[b].resize(bolt.slots.size(), 0);  // of blocks entered since
+        memory_.inhabited[b].resize(bolt.slots.size(), 0);  // adds blocks that the bolt has entered since
         for (const BoltNode& node : bolt.nodes)
             if (node.slot >= 0) memory_.inhabited[b][static_cast<std::size_t>(node.slot)] = 1;
         for (std::size_t s = 0; s < bolt.slots.size(); ++s) {
             if (!memory_.inhabited[b][s] || bolt.leftSlot[s]) continue;
-            const auto isIn = [&](int slot, std::size_t of) {  // the slot, or one in another cell of the block
+            const auto isIn = [&](int slot, std::size_t of) {  // this slot or that of another cell of the block
                 const int own = bolt.slots[static_cast<std::size_t>(slot)].block;
                 const bool sameBlock = model_.blocks[own].cell && sameRock(model_, own, bolt.slots[of].block);
                 return slot == static_cast<int>(of) || sameBlock;

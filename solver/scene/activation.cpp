@@ -13,7 +13,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The name of the bolt's pattern; null where it was given one by one.
+/// Name of the pattern that the bolt belongs to; null for an individual bolt.
 const std::string* patternOf(const Scene& scene, const Bolt& bolt) {
     return bolt.pattern < 0 ? nullptr : &scene.boltPatterns[static_cast<std::size_t>(bolt.pattern)].name;
 }

@@ -10,7 +10,7 @@ bool softens(const Anchor& anchor) {
     return rowOf(anchor.law).hasResidual && anchor.softeningSlip > 0.0 && anchor.strength && anchor.stiffness > 0.0;
 }
 
-/// From the peak to the residual over the softening slip.
+/// Force–slip curve that falls from the peak to the residual over the softening slip.
 Table softeningCurve(const Anchor& anchor) {
     const double atPeak = *anchor.strength / anchor.stiffness;
     return {{0.0, 0.0}, {atPeak, *anchor.strength}, {atPeak + anchor.softeningSlip, anchor.residual}};

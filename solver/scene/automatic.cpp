@@ -13,12 +13,12 @@ namespace keyblock {
 
 namespace {
 
-constexpr double equilibrium = 1e-4;  // unbalanced over the reference force
+constexpr double equilibrium = 1e-4;  // ratio of the unbalanced force to the reference force
 constexpr double longestTimeStep = 1e-3;  // [s]
-constexpr double fewestSteps = 200.0;  // of a dynamic stage
+constexpr double fewestSteps = 200.0;  // in a dynamic stage
 constexpr double modulusOfSteel = 200e9;  // [Pa]
 
-/// Square of the inner diameter of a tube [m²]; 0 of a full bar.
+/// Square of the inner diameter of a tube [m²]; 0 for a solid bar.
 double innerSquared(const BoltType& type) {
     const double d = type.diameter;
     return std::max(0.0, d * d - 4.0 * boltSteel(type).area / std::numbers::pi);

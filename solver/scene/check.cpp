@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order matters: fields first, then rock, because places are looked up in
-// blocks that are known to be sound.
+// The order matters: the fields are checked first, then the rock, because later
+// checks look up points only in blocks without errors.
 #include "solver/scene/check.h"
 
 #include "solver/scene/check_report.h"
@@ -22,7 +22,7 @@ std::vector<Problem> checkValues(const Scene& scene) {
 
 namespace {
 
-/// Nothing that is cut can be looked at where something is wrong with what cuts it.
+/// Whether the section can be cut: false if the data that define the cut have errors.
 bool mayCut(const CheckReport& report) {
     constexpr std::string_view parts[] = {"/domain", "/cutting", "/joints", "/joint_sets", "/voronoi", "/regions",
                                           "/tunnels", "/bolt_patterns", "/materials", "/joint_materials"};

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A record is made by others and read by a machine: what would shake the rock
-// other than intended, or than the stage can follow, is reported here.
+// Checks acceleration records. They come from external sources and are rarely
+// inspected, so anything that would load the rock in an unintended way, or that
+// the stage cannot resolve, is reported here.
 #include "solver/scene/acceleration.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
@@ -15,19 +16,20 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostRows = 300000;  // of all records of a scene, which a run store keeps inside the scene
-constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is not a drift
+constexpr std::size_t mostRows = 300000;  // in all records of a scene; run files store the records with the scene
+// ratio to the peak value; a smaller value at the end of the record does not count as drift
+constexpr double quietEnd = 0.02;
 
 std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {
     return under(pointer, acceleration.file.empty() ? "record" : "file");
 }
 
-/// True when the rows can be integrated.
+/// Whether the rows can be integrated.
 bool checkRows(const Acceleration& acceleration, const std::string& place, CheckReport& report) {
     const Table& record = acceleration.record;
     const std::string pointer = under(place, "record");
     if (!isFinite(record))
-        return false;  // the table of fields has said so
+        return false;  // already reported by the field check
     if (record.size() < 2) {
         report.error(placeOfRecord(acceleration, place), "the record has " + std::to_string(record.size()) + " rows",
                      "Give at least two, each with time and value");
@@ -45,8 +47,8 @@ bool checkRows(const Acceleration& acceleration, const std::string& place, Check
     return rises;
 }
 
-/// A ground that stops where the record does would stop with a jerk: the record's own error, which no analysis can
-/// correct.
+/// Reports the velocity and displacement at the end of the record. If they are not zero, the ground stops abruptly
+/// where the record ends: a defect of the record that no analysis can correct.
 void tellBaseline(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
     const Baseline b = baselineOf(acceleration.record, acceleration.factor);
     const bool drifts = std::abs(b.velocity) > quietEnd * b.peakVelocity ||
@@ -92,7 +94,7 @@ void checkOneIsGiven(const Acceleration& acceleration, const std::string& pointe
                      given == 0 ? "Give one of them" : "Keep only one of them");
 }
 
-/// Pseudo-time has no seconds that a record or a sine could be read against.
+/// Static stages run in pseudo-time, which has no seconds, so records and sine waves cannot be used in them.
 void checkIsConstant(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
     const std::string remedy = "Give a constant 'value' instead, or make the stage dynamic";
     if (acceleration.sine)
@@ -135,7 +137,7 @@ void checkStep(const Stage& stage, const std::string& pointer, CheckReport& repo
 }  // namespace
 
 void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context) {
-    if (stage.baseAcceleration && stage.kind == StageKind::Dynamic)  // else the table of fields has said so
+    if (stage.baseAcceleration && stage.kind == StageKind::Dynamic)  // otherwise already reported by the field check
         checkAcceleration(*stage.baseAcceleration, stage, under(pointer, "base_acceleration"), context.report);
     if (stage.bodyAcceleration)
         checkAcceleration(*stage.bodyAcceleration, stage, under(pointer, "body_acceleration"), context.report);

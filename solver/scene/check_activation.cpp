@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What goes must be there, and what comes must not: names of blocks and bolts
-// that stages take out, install and remove, in the order of the stages.
+// Checks the blocks and bolts that stages excavate, install and remove, in the
+// order of the stages: what is removed must be present, and what is installed
+// must not be.
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
@@ -16,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-/// Of tunnels and of blocks.
+/// Names of tunnels and blocks.
 std::vector<std::string> blockNames(const Scene& scene) {
     std::vector<std::string> names;
     for (const SceneTunnel& tunnel : scene.tunnels)
@@ -26,7 +27,7 @@ std::vector<std::string> blockNames(const Scene& scene) {
     return names;
 }
 
-/// Of patterns and of bolts.
+/// Names of bolt patterns and bolts.
 std::vector<std::string> boltNames(const Scene& scene) {
     std::vector<std::string> names;
     for (const ScenePattern& pattern : scene.boltPatterns)
@@ -36,13 +37,13 @@ std::vector<std::string> boltNames(const Scene& scene) {
     return names;
 }
 
-/// Follows one list of names over the stages.
+/// Tracks the names in one list across the stages.
 class Names {
 public:
     Names(std::string_view what, std::vector<std::string> known, CheckReport& report)
         : what_(what), known_(std::move(known)), report_(report) {}
 
-    /// \return false where there is no such thing, which is reported.
+    /// Reports a name that does not exist. \return whether it exists.
     bool exists(const std::string& name, const std::string& pointer) {
         if (std::find(known_.begin(), known_.end(), name) != known_.end())
             return true;
@@ -51,7 +52,7 @@ public:
         return false;
     }
 
-    /// Reports the second time. \param done what happens to it, as `is excavated`.
+    /// Reports a name that is used a second time. \param done what happens to it, for example `is excavated`.
     void once(const std::string& name, const std::string& stage, std::string_view done, const std::string& pointer) {
         const auto [first, isNew] = stages_.try_emplace(name, stage);
         if (!isNew)
@@ -61,7 +62,7 @@ public:
                  "Name it only once");
     }
 
-    /// Reports a name; of the bolts of a pattern only the first.
+    /// Reports an error, but only the first one at each pointer: the bolts of a pattern share a pointer.
     void tell(const std::string& pointer, const std::string& message, const std::string& remedy) {
         if (pointer != reported_) report_.error(pointer, message, remedy);
         reported_ = pointer;
@@ -73,7 +74,7 @@ private:
     std::string what_;
     std::vector<std::string> known_;
     std::map<std::string, std::string> stages_;  // by name
-    std::string reported_;  // where, last
+    std::string reported_;  // pointer of the last error
     CheckReport& report_;
 };
 
@@ -83,7 +84,7 @@ void checkRelaxation(const Stage& stage, bool anyBefore, const std::string& poin
                        "Excavate something in this stage or before it, or omit the relaxation");
 }
 
-/// Which parts are active, stage by stage.
+/// Tracks which parts are active, stage by stage.
 class ActivationCheck {
 public:
     explicit ActivationCheck(CheckContext& context)
@@ -156,14 +157,14 @@ private:
     const Scene& scene_;
     Names excavated_, installed_, removed_;
     std::vector<bool> gone_;  // by block
-    bool any_ = false;  // excavated so far
+    bool any_ = false;  // true if anything has been excavated so far
 };
 
 }  // namespace
 
 void checkActivation(CheckContext& context) {
     if (!context.isCut)
-        return;  // not all names are known
+        return;  // the names of cut blocks are not known yet
     ActivationCheck activation(context);
     for (std::size_t i = 0; i < context.scene.stages.size(); ++i)
         activation.check(context.scene.stages[i], under("/stages", i));

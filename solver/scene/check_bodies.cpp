@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks beyond the scene's list: cells must be of a sensible number, plates that
-// are blocks need a face to lie on, and no two blocks may share a name.
+// Checks that the sub-blocks are of a reasonable number, that plates modelled
+// as blocks lie on a face, and that no two blocks have the same name.
 #include "geometry/polygon.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
@@ -20,11 +20,11 @@ namespace {
 
 constexpr double fewestCells = 1.5;
 
-// False when there would be too many to make.
+// False if the block would have too many cells.
 bool checkCells(const Block& block, const std::string& pointer, CheckReport& report) {
     const double size = block.subBlocks->size;
     if (!(size > 0.0) || !std::isfinite(size))
-        return false;  // the table of fields has said so
+        return false;  // already reported by the field check
     const double cells = gridCells(block.points, size);
     if (cells > mostCells)
         report.error(under(under(pointer, "sub_blocks"), "size"),
@@ -57,7 +57,7 @@ std::string remedy(PlateFault what) {
     return "Put the head on a face, at least half a plate's width away from corners, or write \"plate\": \"spring\"";
 }
 
-// Outline of the plate; empty where there is a problem.
+// Outline of the plate; empty if there is an error.
 std::vector<Point> checkPlate(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const PlatePlace place = placePlate(context.scene, bolt);
     const std::string where = bolt.pattern < 0 ? under(pointer, "head") : under(pointer, "plate");

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A type of bolt must say enough to be computed, and its numbers must agree with
-// each other: steel that rises, a modulus that fits it, anchors with a law.
+// Checks that bolt types are complete and consistent: the stress–strain curve
+// of the steel must rise, Young's modulus must agree with it, and anchors need
+// a law.
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
@@ -15,14 +16,15 @@ namespace keyblock {
 
 namespace {
 
-constexpr double modulusAgreement = 0.01;  // relative, between `youngs_modulus` and the first piece of `steel`
-constexpr double areaAgreement = 1e-3;  // relative, for areas rounded to whole mm²
+// relative difference between `youngs_modulus` and the slope of the first segment of `steel`
+constexpr double modulusAgreement = 0.01;
+constexpr double areaAgreement = 1e-3;  // relative; allows for areas rounded to whole mm²
 
 bool startsAtOrigin(const Table& table) {
     return !table.empty() && table.front().first == 0.0 && table.front().second == 0.0;
 }
 
-// The first row whose first value does not exceed the one before; 0 when all rise.
+// Index of the first row whose abscissa does not exceed the previous one; 0 if all increase.
 std::size_t firstNotRising(const Table& table) {
     for (std::size_t i = 1; i < table.size(); ++i)
         if (!(table[i].first > table[i - 1].first))
@@ -37,7 +39,7 @@ std::size_t firstFalling(const Table& table) {
     return 0;
 }
 
-// The first row whose piece is steeper than the first piece; 0 when none is.
+// Index of the first row whose segment is steeper than the first segment; 0 if there is none.
 std::size_t firstSteeper(const Table& table) {
     const double slope = table[1].second / table[1].first;
     for (std::size_t i = 2; i < table.size(); ++i)
@@ -46,13 +48,13 @@ std::size_t firstSteeper(const Table& table) {
     return 0;
 }
 
-// What a backbone and a force–slip curve have in common. False when the curve is of no use.
+// Checks that stress–strain curves and force–slip curves have in common. Returns false if the curve cannot be used.
 bool checkCurve(const Table& curve, std::string_view abscissa, std::string_view ordinate, const std::string& pointer,
                 CheckReport& report) {
     const std::string first(abscissa);
     const std::string second(ordinate);
     if (!isFinite(curve))
-        return false;  // the table of fields has said so
+        return false;  // already reported by the field check
     if (curve.size() < 2 || !startsAtOrigin(curve)) {
         report.error(pointer, "the curve must begin with [0, 0] and have at least two points",
                      "Give " + first + " and " + second + ", starting at the origin");
@@ -132,7 +134,7 @@ void checkLimited(const Anchor& anchor, const std::string& pointer, CheckReport&
                      "Give at most the strength; for friction at full strength use the law 'frictional'");
 }
 
-constexpr double leastSoftening = 1e-3;  // slip over the slip at the peak
+constexpr double leastSoftening = 1e-3;  // ratio of the softening slip to the slip at the peak
 
 void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
     if (anchor.softeningSlip == 0.0)

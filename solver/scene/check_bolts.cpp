@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A bolt must have a length, run through rock, and carry its anchors where it is.
+// Checks that bolts have a length, run through rock and have their anchors
+// within their length.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 #include "solver/scene/check_report.h"
@@ -17,23 +18,24 @@ namespace keyblock {
 
 namespace {
 
-/// A key that the bolts of a pattern do not have is reported at the pattern.
+/// Pointer to a field of the bolt. Bolts of a pattern lack these fields, so errors are reported at the pattern.
 std::string placeIn(const Bolt& bolt, const std::string& pointer, std::string_view key) {
     return bolt.pattern < 0 ? under(pointer, key) : pointer;
 }
 
-/// Which bolt is meant: of a pattern it has to be named.
+/// The bolt as messages refer to it; a bolt of a pattern is named.
 std::string nameOf(const Bolt& bolt) { return bolt.pattern < 0 ? "the bolt" : "the bolt " + inQuotes(bolt.name); }
 
-constexpr int usualDivisions = 60;  // of a bolt that leaves them to the program, for judging a gap at its head
+constexpr int usualDivisions = 60;  // if the bolt does not give its divisions; used to judge the gap at its head
 
-/// Stretch of a bolt, from its far end [m], along an edge of a block.
+/// Part of a bolt that lies along an edge of a block; distances from the far end [m].
 struct AlongFace {
     int block = -1;
     double from = 0.0, to = 0.0;
 };
 
-/// The first stretch that lies along a face, longer than the tolerance; block −1 where there is none.
+/// The part nearest to the far end that lies along a face and is longer than the tolerance; `block` is −1 if there is
+/// none.
 AlongFace alongFace(const Bolt& bolt, const CheckContext& context) {
     const double length = lengthOf(bolt);
     const Point axis = (bolt.head - bolt.farEnd) / length;
@@ -52,7 +54,7 @@ AlongFace alongFace(const Bolt& bolt, const CheckContext& context) {
     return found;
 }
 
-/// False where the bolt lies along a face, which is reported.
+/// Reports a bolt that lies along a face and returns false for it.
 bool checkAlongFaces(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const AlongFace along = alongFace(bolt, context);
     if (along.block < 0)
@@ -89,7 +91,7 @@ void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& conte
                                {RepairKind::RemovePlate, under(pointer, "plate")});
 }
 
-// True when the bolt is long enough to look at further.
+// Returns true if the bolt is long enough for the other checks.
 bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     if (!bolt.farEnd.allFinite() || !bolt.head.allFinite())
         return false;
@@ -108,7 +110,7 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     return true;
 }
 
-// False when the place is past the end.
+// Returns false if the position is beyond the end of the bolt.
 bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, const std::string& pointer,
                       std::string_view what, CheckReport& report) {
     if (distanceAlong(place, length) <= length + tolerance)
@@ -120,7 +122,7 @@ bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, c
     return false;
 }
 
-// Anchors of the bolt itself are reported at the anchor, those of its type once, at the bolt's type.
+// Errors in a bolt's own anchors are reported at the anchor; errors in the anchors of its type once, at `type`.
 void checkAnchorPlaces(const Bolt& bolt, const BoltType* type, const std::string& pointer, CheckContext& context) {
     if (!bolt.anchors && !type)
         return;
@@ -150,14 +152,15 @@ std::vector<std::string_view> typeNames(const Scene& scene) {
 
 const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const BoltType* type = findBoltType(context.scene, bolt.type);
-    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // a pattern's is reported once, with the pattern
+    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // the type of a pattern is reported once, at the pattern
         context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(bolt.type),
                              suggestion(bolt.type, typeNames(context.scene)) +
                                  "; built-in types are listed by 'keyblock bolts'");
     return type;
 }
 
-// The plate pulls the head to its force and is locked off at the first equilibrium.
+// Checks that the pretension can act. The bolt needs a plate on rock, and the first stage must be static, because the
+// pretension is locked off at its equilibrium.
 void checkPretension(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     if (!(bolt.pretension > 0.0))
         return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of the check that the field table does by itself.
+// The checks that need nothing but the field table.
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
@@ -38,7 +38,8 @@ void checkChildren(const Field& field, const void* object, const std::string& po
     }
 }
 
-// A field that does not belong here and still says something; the reader has seen those that say their default.
+// Reports a field that does not apply here but has a value other than its default. A field that is written in a file
+// with its default value is reported by the reader.
 void checkBelongs(const Structure& structure, const Field& field, const void* object, const std::string& pointer,
                   CheckReport& report) {
     if (field.only.key.empty() || applies(structure, field, object))

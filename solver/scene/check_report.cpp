@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Small tests that several parts of the check share.
+// Small checks that several parts of the scene check share.
 #include "solver/scene/check_report.h"
 
 #include "solver/scene/lookup.h"
@@ -18,10 +18,11 @@ namespace {
 
 std::string placeText(const Point& place) { return "(" + coordinateText(place.x()) + ", " + coordinateText(place.y()) + ")"; }
 
-/// A new entry of these lists needs nothing but its name; all others need a position in the section.
+/// Whether a new entry of this list needs only a name; entries of all other lists need a position in the section.
 bool canBeAdded(std::string_view list) { return list == "materials" || list == "joint_materials"; }
 
-/// Gives the object with this name another one; an entry of a map is replaced by hand, since both have one pointer.
+/// Repair that renames the object with this name. There is none for an entry of a map: both entries have the same
+/// pointer and have to be renamed by hand.
 Repair renaming(const std::string& pointer) {
     constexpr std::string_view key = "/name";
     const bool isField = pointer.ends_with(key) && std::count(pointer.begin(), pointer.end(), '/') > 2;
@@ -52,7 +53,7 @@ int checkBlockAt(CheckContext& context, const Point& place, const std::string& p
     if (!place.allFinite())
         return -1;
     const int block = blockAt(context.scene, place, context.tolerance);
-    // A place in a block that is itself wrong is not reported twice.
+    // A point in a block with errors is not reported a second time.
     if (block >= 0 || !context.allSound())
         return block;
     if (blockWithPoint(context.scene, place) >= 0)

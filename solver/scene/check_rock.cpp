@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks must be blocks before anything can be looked up in them: outlines are
-// judged one by one, then pairs for overlap, then what holds them.
+// Blocks have to be valid before anything can be looked up in them, so their
+// outlines are checked one by one first, then all pairs for overlap, and then
+// their supports.
 #include "geometry/grid.h"
 #include "geometry/polygon.h"
 #include "solver/scene/check_report.h"
@@ -20,13 +21,13 @@ namespace keyblock {
 
 namespace {
 
-constexpr double roundOff = 1e-9;  // of the largest stress
+constexpr double roundOff = 1e-9;  // ratio to the largest stress
 
 bool areUsable(const std::vector<Point>& points) {
-    return std::all_of(points.begin(), points.end(), isUsable);  // else the table's ranges have said so
+    return std::all_of(points.begin(), points.end(), isUsable);  // otherwise already reported by the field check
 }
 
-// Index of a corner that repeats the one before it (the first: the last); −1 when none does.
+// Index of a corner that coincides with the previous one (for the first corner: with the last); −1 if there is none.
 int repeatedCorner(const std::vector<Point>& points, double tolerance) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point& before = points[(i + points.size() - 1) % points.size()];
@@ -93,7 +94,7 @@ void checkOverlaps(CheckContext& context) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
         if (!context.sound[i] || !context.scene.blocks[i].faces.empty())
-            continue;  // cut blocks share no rock
+            continue;  // cut blocks do not overlap
         blocks.push_back(i);
         boxes.push_back(boxOf(context.scene.blocks[i].points));
     }
@@ -186,7 +187,7 @@ void checkKeysDiffer(const std::vector<std::pair<std::string, Named>>& items, co
         [&](std::size_t i) { return under(list, items[i].first); }, what, report);
 }
 
-// The stress is linear with height, so it is most tensile at the lowest or the highest place of the rock.
+// The stress varies linearly with height, so tension is largest at the lowest or the highest point of the rock.
 void checkInSituStress(CheckContext& context) {
     const Scene& scene = context.scene;
     if (!scene.inSituStress)

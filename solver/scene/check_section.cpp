@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is to be cut must be something that can be cut, and in an amount that a
-// user can have meant: numbers of traces, cells and crossings are estimated
-// before anything is drawn. Geometry says what is wrong with a shape, this where.
+// Checks that the section can be cut and that its size is plausible: the
+// numbers of traces, cells and crossings are estimated before anything is
+// generated. The geometry module says what is wrong with a shape; this file
+// adds where.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 #include "geometry/voronoi.h"
@@ -21,16 +22,16 @@ namespace keyblock {
 
 namespace {
 
-constexpr double mostTraces = 10000.0;  // of a scene, and Voronoi cells
-constexpr double mostCrossings = 200000.0;  // each makes about one block
-constexpr double mostBolts = 10000.0;  // of a pattern
-constexpr double coarsestTolerance = 0.01;  // of the domain's size, as the cut allows
+constexpr double mostTraces = 10000.0;  // in a scene; also the limit of Voronoi cells
+constexpr double mostCrossings = 200000.0;  // each crossing gives about one block
+constexpr double mostBolts = 10000.0;  // in a pattern
+constexpr double coarsestTolerance = 0.01;  // ratio to the size of the domain, the same as in the cut
 
 void tell(const std::optional<ShapeProblem>& problem, const std::string& pointer, CheckReport& report) {
     if (!problem || std::any_of(report.problems.begin(), report.problems.end(), [&](const Problem& known) {
             return known.pointer == under(pointer, problem->field);
         }))
-        return;  // the range of the field has said so
+        return;  // already reported by the range check of the field
     std::string remedy = problem->remedy;
     if (!remedy.empty())
         remedy.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remedy.front())));
@@ -45,7 +46,7 @@ void checkJointMaterialOf(const std::optional<std::string>& name, const std::str
                        under(pointer, "joint_material"), context.report);
 }
 
-// The region by its name or the domain; null where it cannot be drawn in.
+// Outline of the named region, or of the domain if there is no name; null if it cannot be used.
 const std::vector<Point>* checkRegionOf(const std::optional<std::string>& name, const std::string& pointer,
                                         CheckContext& context) {
     const Scene& scene = context.scene;
@@ -59,7 +60,7 @@ const std::vector<Point>* checkRegionOf(const std::optional<std::string>& name, 
     return usable ? points : nullptr;
 }
 
-// Without a domain there is nothing to cut.
+// Reports an error if there is no domain, since there is nothing to cut.
 bool checkHasDomain(const std::string& pointer, CheckContext& context) {
     if (context.scene.domain)
         return true;
@@ -108,7 +109,7 @@ void checkJoint(const SceneJoint& joint, const std::string& pointer, CheckContex
                              "the joint has " + std::to_string(joint.points.size()) + " points", "Give two or more");
 }
 
-// How many traces there will be; 0 where something else is wrong.
+// Estimated number of traces; 0 if there are other errors.
 double checkJointSet(const SceneJointSet& set, const std::string& pointer, CheckContext& context) {
     checkJointMaterialOf(set.jointMaterial, pointer, context);
     const std::vector<Point>* region = checkRegionOf(set.region, pointer, context);
@@ -137,7 +138,7 @@ double checkVoronoi(CheckContext& context) {
         return 0.0;
     const double cells = voronoiEstimate(*region, voronoi.size);
     if (cells <= mostTraces)
-        return cells;  // three traces each, which meet at their ends only
+        return cells;  // each cell adds about three traces, which meet only at their ends
     context.report.error("/voronoi/size",
                          "cells of " + shortest(voronoi.size) + " m are about " + shortest(std::round(cells)) +
                              "; the limit is " + shortest(mostTraces),
@@ -182,7 +183,7 @@ void checkPattern(const ScenePattern& pattern, const std::string& pointer, Check
                                "Give a smaller offset");
 }
 
-/// A name that stages call must not mean two things.
+/// Names that stages refer to must be unique across both lists.
 void checkNameIsFree(const std::string& name, const std::string& pointer, const std::vector<std::string_view>& others,
                      const std::string& list, const std::string& what, CheckContext& context) {
     const auto found = std::find(others.begin(), others.end(), name);
@@ -210,7 +211,7 @@ void checkNames(CheckContext& context) {
                         "tunnel", context);
 }
 
-/// Pairs of traces that cross, counted until they are too many.
+/// Number of pairs of traces that cross; stops counting above the limit.
 double crossingsOf(const std::vector<CutTrace>& traces) {
     double count = 0.0;
     for (std::size_t i = 0; i < traces.size() && count <= mostCrossings; ++i) {
@@ -228,7 +229,7 @@ double crossingsOf(const std::vector<CutTrace>& traces) {
     return count;
 }
 
-// Each list may be in measure and all together not.
+// The lists together may exceed a limit that each one meets on its own.
 void checkAmount(double traces, CheckContext& context) {
     const auto refuse = [&](const std::string& what, double most) {
         context.report.error("/domain", what + " are too many: the limit is " + shortest(most),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What happens must happen to something: every motion, load and velocity finds
-// its block, no block gets two motions, and time runs forward.
+// Checks that every motion, load and velocity of a stage acts on a block, that
+// no block has two motions, and that time increases.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 #include "geometry/sub_blocks.h"
@@ -23,12 +23,12 @@ namespace keyblock {
 
 namespace {
 
-/// Which block was taken first by which entry of a list.
-using Taken = std::map<std::pair<int, int>, std::size_t>;  // by block and cell
+/// The list entry that was the first to refer to each block.
+using Taken = std::map<std::pair<int, int>, std::size_t>;  // key: block and cell
 
 void checkTable(const Table& table, StageKind kind, const std::string& pointer, CheckReport& report) {
     if (!isFinite(table))
-        return;  // the table of fields has said so
+        return;  // already reported by the field check
     for (std::size_t i = 1; i < table.size(); ++i)
         if (!(table[i].first > table[i - 1].first))
             report.error(under(pointer, i), "the time " + shortest(table[i].first) + " does not increase",
@@ -48,7 +48,7 @@ void checkNotFixed(int block, const std::string& pointer, std::string_view what,
                              "Remove one of the two");
 }
 
-/// Cell of a cut block that a motion moves, 0 of one that is not cut.
+/// Cell at `place` in a block that is divided into cells; 0 for other blocks.
 int cellAt(int block, const Point& place, const CheckContext& context) {
     if (block < 0 || !context.sound[static_cast<std::size_t>(block)])
         return 0;
@@ -188,7 +188,7 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
                              "Use the integration \"shi\" or \"backward-euler\", or the iteration \"convex\"");
 }
 
-// True where the cut left a face that satisfies the question.
+// True if any face of a cut block satisfies the predicate.
 template <typename Question>
 bool someFace(const CheckContext& context, const Question& question) {
     return std::any_of(context.scene.blocks.begin(), context.scene.blocks.end(), [&](const Block& block) {
@@ -202,7 +202,7 @@ void checkDilated(const std::string& joint, const std::string& pointer, CheckCon
         names.insert(names.end(), more.begin(), more.end());
     std::erase(names, std::string_view());
     if (joint.empty())
-        return;  // the table of fields has said so
+        return;  // already reported by the field check
     if (std::find(names.begin(), names.end(), joint) == names.end())
         return context.report.error(pointer, "there is no joint, joint set or joint material " + inQuotes(joint),
                                     suggestion(joint, names));
@@ -240,7 +240,7 @@ void checkSides(const Stage& stage, const std::string& pointer, CheckContext& co
     }
 }
 
-/// Half of the blocks are smaller [m²].
+/// Median area of the blocks [m²].
 double medianArea(const CheckContext& context) {
     std::vector<double> areas;
     for (const Block& block : context.scene.blocks) areas.push_back(std::abs(signedArea(block.points)));
@@ -249,9 +249,9 @@ double medianArea(const CheckContext& context) {
     return *middle;
 }
 
-/// What is left out of a verdict has to be small compared with the rock that it is about.
+/// Blocks that are ignored in the verdict must be small compared with the other blocks.
 void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext& context) {
-    constexpr double most = 0.05;  // of the median block
+    constexpr double most = 0.05;  // ratio to the median block area
     if (stage.kind != StageKind::Static || context.scene.blocks.empty()) return;
     const double smallest = smallestOf(stage), median = medianArea(context);
     if (!(smallest > most * median)) return;
@@ -261,7 +261,7 @@ void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext&
                            "Give less than a twentieth of that area, or 0 so that all blocks decide");
 }
 
-/// What follows a collapse has a name of its own in tables.
+/// The motion after a collapse has its own name in tables, which no stage may have.
 void checkCollapseNames(const std::vector<Stage>& stages, CheckReport& report) {
     for (const Stage& stage : stages) {
         if (stage.kind != StageKind::Static || stage.onCollapse == OnCollapse::End) continue;

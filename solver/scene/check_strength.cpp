@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A change of strength must find its joint material, change something, and not
-// contradict another of its stage; what is left by slip cannot be more than was there.
+// Checks changes of strength: each must refer to a joint material, change
+// something and not contradict another change in the same stage. Slip cannot
+// increase friction.
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
@@ -20,7 +21,8 @@ void checkName(const StrengthChange& change, const std::string& pointer, const C
                    under(pointer, "joint_material"), context.report);
 }
 
-/// Friction angle of a joint material as `stage` leaves it [°]; none where the scene has no such material.
+/// Friction angle of a joint material after the changes up to and including `stage` [°]; none if the scene does not
+/// contain the material.
 std::optional<double> frictionAt(const Scene& scene, const std::string& name, const Stage& stage) {
     std::optional<double> angle;
     for (const auto& [joint, material] : scene.jointMaterials)

@@ -39,7 +39,7 @@ void checkMonitorPlace(const Monitor& monitor, const Bolt& bolt, const std::stri
                             "Keep one of 'at', 'at_from_head' and 'at_fraction'");
     const double length = lengthOf(bolt);
     if (!(length > 0.0))
-        return;  // reported at the bolt
+        return;  // already reported at the bolt
     const double place = distanceAlong(monitor, length);
     const double tolerance = 1e-9 * length;
     if (places == 1 && (place > length + tolerance || place < -tolerance))

@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-/// From rest, under the loads of the collapse.
+/// The dynamic stage after a collapse. It starts from rest, under the loads at collapse.
 Stage motionAfter(const Stage& stage) {
     Stage motion;
     motion.name = nameOfCollapse(stage);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Operations on a row without knowing the struct behind it.
+// Operations on a row of the field table that do not depend on the struct
+// behind it.
 #include "solver/scene/field.h"
 
 #include "solver/scene/number_text.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rows that need no template.
+// Rows of the field table that need no template, and the structure of the
+// scene.
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {

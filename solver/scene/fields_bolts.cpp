@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of bolts, their types, anchors and plates.
+// Field table of bolts, their types, anchors and plates.
 #include "geometry/bolt_pattern.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/bolt_steel.h"
@@ -23,7 +23,7 @@ constexpr std::string_view dynamicStrength = translatable("Fields", "Dynamic / s
 constexpr std::string_view unlimited = translatable("Fields", "unlimited");
 constexpr std::string_view outOfPlaneSpacing = translatable("Fields", "Out-of-plane spacing");
 
-// Values of anchors and of the grout are per node, or per metre of the bolt.
+// True if values are per metre of the bolt, false if they are per node. Used for anchors and the grout.
 bool perLength(const void* object, const void*) {
     const auto& anchor = *static_cast<const Anchor*>(object);
     return !anchor.at && anchor.per == Per::Length;
@@ -50,7 +50,7 @@ bool normalPerLength(const void* object, const void*) {
     return static_cast<const BoltType*>(object)->normalPer == Per::Length;
 }
 
-/// A field of the anchor laws for which this is true.
+/// Limits a field to the anchor laws for which `has` is true.
 Only ofLaws(bool (*has)(const AnchorLawRow&)) {
     Only only{.key = "law", .words = {}};
     for (const AnchorLawRow& row : anchorLaws)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of the rock: materials, joints, blocks and what holds them.
+// Field table of the rock: materials, joints, blocks and supports.
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 

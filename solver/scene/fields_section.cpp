@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of the section: the domain and what cuts it into blocks.
+// Field table of the section: the domain and everything that cuts it into
+// blocks.
 #include "geometry/joint_set.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of what surrounds the model: what the scene says about itself, settings
-// of the analysis, what is watched and what is kept.
+// Field table of everything other than the model itself: the description of the
+// scene, analysis settings, monitors, output and run limits.
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of what happens: stages, motions, loads, velocities.
+// Field table of stages: their motions, loads, velocities, accelerations and
+// strength changes.
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 
@@ -25,7 +26,7 @@ FieldValue timeStepOf(const Scene&, const Stage& stage) {
     return stage.duration > 0.0 ? FieldValue(automaticTimeStep(stage)) : FieldValue();
 }
 
-// Time is pseudo-time without a unit there; the rows that use this belong to stages.
+// In a static stage, time is pseudo-time and has no unit. Only rows of stages may use this.
 bool inStaticStage(const void*, const void* stage) {
     return stage && static_cast<const Stage*>(stage)->kind == StageKind::Static;
 }

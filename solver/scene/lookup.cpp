@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names are few, so they are searched in order; places are looked up block by
-// block, boxes first.
+// There are few names, so they are searched linearly. Points are looked up
+// block by block; bounding boxes are tested first.
 #include "solver/scene/lookup.h"
 
 #include "geometry/polygon.h"
@@ -16,8 +16,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double relativeTolerance = 1e-9;  // of the scene's size
-constexpr double resolution = 8.0 * std::numeric_limits<double>::epsilon();  // of a coordinate
+constexpr double relativeTolerance = 1e-9;  // ratio to the size of the scene
+constexpr double resolution = 8.0 * std::numeric_limits<double>::epsilon();  // ratio to the largest coordinate
 
 Box boxOfScene(const Scene& scene) {
     std::vector<Point> corners;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every edge at the head is tried: the plate is put on its outer side and kept
-// if it overlaps no rock. One direction must remain.
+// Tries every edge at the head: the plate is placed on the outer side of the
+// edge and accepted if it overlaps no rock. All accepted positions must have
+// the same direction.
 #include "solver/scene/plate_place.h"
 
 #include "geometry/polygon.h"
@@ -16,12 +17,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double parallel = 1e-6;  // sine of the angle between faces that count as one
-constexpr double nearShare = 1e-6;  // of the plate's width: so near the face a head lies on it
+constexpr double parallel = 1e-6;  // sine of the angle below which faces count as parallel
+constexpr double nearShare = 1e-6;  // ratio to the plate width; a head that is closer to a face than this lies on it
 
 struct Face {
     int block = -1;
-    Point from{0.0, 0.0}, along{1.0, 0.0};  // counter-clockwise around the rock
+    Point from{0.0, 0.0}, along{1.0, 0.0};  // start and direction, counter-clockwise around the block
     double length = 0.0;  // [m]
 
     Point outward() const { return -turnLeft(along); }
@@ -56,9 +57,9 @@ bool overlapsRock(const Scene& scene, const std::vector<Point>& outline, double 
 
 bool sameWay(const Point& a, const Point& b) { return a.dot(b) > 0.0 && std::abs(cross(a, b)) < parallel; }
 
-/// Width of the plate that faces in its plane back [m].
+/// Part of the plate's width that is backed by faces in its plane [m].
 double backedWidth(const Scene& scene, const PlatePlace& place, double width, double near) {
-    const Point along = turnLeft(place.outward);  // as the rock's faces run
+    const Point along = turnLeft(place.outward);  // direction of faces that have this outward normal
     double backed = 0.0;
     forEachFace(scene, [&](const Face& face) {
         const double off = place.outward.dot(face.from - place.foot);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Keys of a scene are free text, so they are escaped where they are put in.
+// Keys of a scene are free text, so they are escaped when they are added to a
+// pointer.
 #include "solver/scene/pointer.h"
 
 namespace keyblock {

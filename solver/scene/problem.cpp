@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one way in which a problem becomes a line of text.
+// The only place where a problem is formatted as a line of text.
 #include "solver/scene/problem.h"
 
 #include <algorithm>

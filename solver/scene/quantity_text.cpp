@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names in a scene are free text, so a quantity is not split at every space or
-// dot: the words before the name are fixed, and of the rest the longest known
-// name wins.
+// Names in a scene are free text, so a quantity cannot simply be split at every
+// space or dot. The words before the name are fixed, and the longest known name
+// that matches the rest is used.
 #include "solver/scene/quantity_text.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string_view withoutSpaces(std::string_view text) {
     return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Cuts the first word off `text`.
+/// Removes the first word of `text` and returns it.
 std::string_view takeWord(std::string_view& text) {
     const auto end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
@@ -41,7 +41,7 @@ std::string listed(const Range& range, Name name) {
     return text.empty() ? "none" : text;
 }
 
-/// Rows of a table with keys.
+/// Keys of the rows of a table, separated by commas.
 template <typename Rows>
 std::string listedKeys(const Rows& rows) {
     return listed(rows, [](const auto& row) { return std::string(row.key); });

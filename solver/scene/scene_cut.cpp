@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block is one ring of corners. Where the cut leaves a block with an opening in
-// it, two cuts from the opening to what lies left and right of it part the block; their faces are intact rock (theory, "Cut scenes").
+// A block has a single outline without holes. If the cut leaves a block with an
+// opening in it, two additional cuts split the block: from the opening to the
+// nearest outlines on its left and on its right. The faces of these cuts are
+// intact rock (theory, "Cut scenes").
 #include "solver/scene/scene_cut.h"
 
 #include "geometry/polygon.h"
@@ -32,7 +34,7 @@ Rings ringsOf(const Cut& cut, const CutBlock& block) {
     return rings;
 }
 
-/// Where the level line through y crosses the rings' edges, rising [m].
+/// The x coordinates, in increasing order, at which the horizontal line through y crosses the edges of the rings [m].
 std::vector<double> crossingsAt(const Rings& rings, double y) {
     std::vector<double> places;
     for (const std::vector<Point>& ring : rings)
@@ -45,8 +47,8 @@ std::vector<double> crossingsAt(const Rings& rings, double y) {
     return places;
 }
 
-/// A place well inside: the middle of the widest part of the level line half-way between the two heights of corners
-/// that lie farthest apart.
+/// A point well inside. It lies on a horizontal line, half-way between the two successive corner heights that are
+/// farthest apart, in the middle of the widest part of this line.
 Point placeInside(const Rings& rings) {
     std::vector<double> heights;
     for (const std::vector<Point>& ring : rings)
@@ -62,10 +64,11 @@ Point placeInside(const Rings& rings) {
     return {x, y};
 }
 
-/// How much a split falls on its way: level ones would lie along the level bolts of a tunnel's springing line.
+/// Gradient of the splits: horizontal ones would coincide with horizontal bolts at the springing line of a tunnel.
 constexpr double fall = 0.137;
 
-/// The nearest place of the rings but one on the falling way to the left (way −1) or right (way 1) of `from`.
+/// The nearest point of the other rings (all but ring `but`) on a line that falls from `from` to the left (way −1) or
+/// to the right (way 1).
 Point acrossFrom(const Rings& rings, std::size_t but, const Point& from, double way) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -83,7 +86,8 @@ Point acrossFrom(const Rings& rings, std::size_t but, const Point& from, double 
     return {from.x() + way * nearest, from.y() - fall * nearest};
 }
 
-/// Two cuts from each opening of a block, at its corners farthest left and right, the lowest of these.
+/// Adds two cuts for each opening of a block, from its leftmost and its rightmost corner. If there are several of
+/// these, the lowest is used.
 void addSplits(const Cut& cut, const CutBlock& block, int source, std::vector<CutTrace>& traces) {
     const Rings rings = ringsOf(cut, block);
     for (std::size_t hole = 1; hole < rings.size(); ++hole)
@@ -96,7 +100,7 @@ void addSplits(const Cut& cut, const CutBlock& block, int source, std::vector<Cu
         }
 }
 
-/// Makes the scene's blocks of those of the cut.
+/// Builds the blocks of the scene from the blocks of the cut.
 class Builder {
 public:
     Builder(const Scene& scene, const Cut& cut, const SceneTraces& traces, SceneCut& result)
@@ -128,7 +132,8 @@ public:
 private:
     bool isOpen(int tunnel) const { return isOpenFromStart(scene_, scene_.tunnels[static_cast<std::size_t>(tunnel)]); }
 
-    /// Where outlines overlap, as of a pilot and the drift that it is widened to, rock lies in several.
+    /// The tunnels in which the block lies. There can be several if outlines overlap, for example those of a pilot and
+    /// of the drift to which it is enlarged.
     std::vector<int> tunnelsOf(const CutBlock& block) const {
         if (outlines_.empty()) return {};
         const Point inside = placeInside(ringsOf(cut_, block));
@@ -158,14 +163,15 @@ private:
     std::set<int> used_;
 };
 
-/// Cuts until no block has an opening; one round of splits parts them all but where the cut's rounding closes one.
+/// Cuts until no block has an opening. One round of splits is normally enough; rounding in the cut can make further
+/// rounds necessary.
 Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits, const std::atomic<bool>* stop) {
     constexpr int mostRounds = 8;
     const std::vector<CutDomain> domains{{0, scene.domain->boundary}};
     const int source = static_cast<int>(traces.sources.size());
     Cut cut = cutIntoBlocks(domains, traces.traces, cutSettings(scene));
     traces.sources.push_back({"intact rock", intactJoint});
-    const std::vector<CutNote> notes = cut.notes;  // of what the scene draws, not of the splits
+    const std::vector<CutNote> notes = cut.notes;  // notes on the geometry of the scene, not on the splits
     for (int round = 0; round < mostRounds && !(stop && *stop); ++round) {
         const std::size_t before = traces.traces.size();
         for (const CutBlock& block : cut.blocks) addSplits(cut, block, source, traces.traces);
@@ -177,7 +183,8 @@ Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits, con
     return cut;
 }
 
-/// Joints lose their names with the cut, faces keep their places: what dilates is found by these.
+/// Finds the source of the joint of each dilation. The joints and their names are removed by the cut, but each face
+/// keeps its source.
 void findDilated(const Scene& scene, std::vector<Stage>& stages) {
     for (Stage& stage : stages)
         for (Dilation& dilation : stage.dilations) dilation.source = traceSource(scene, dilation.joint);

@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double usualTolerance = 1e-6;  // of the domain's longer side, as of the cut
+constexpr double usualTolerance = 1e-6;  // ratio to the longer side of the domain, as in the cut
 
 template <typename Named>
 int indexOfName(const std::vector<Named>& items, const std::string& name) {
@@ -28,7 +28,7 @@ double toleranceOf(const Scene& scene) {
     return scene.cutting.tolerance.value_or(usualTolerance * (box.max - box.min).maxCoeff());
 }
 
-/// Collects the traces of one source after another.
+/// Collects the traces of all sources, one source after another.
 class Collector {
 public:
     void begin(std::string text, int joint) { all.sources.push_back({std::move(text), joint}); }
@@ -99,7 +99,7 @@ int jointOf(const Scene& scene, const std::optional<std::string>& name) {
 }
 
 BoundarySide sideOf(const Point& from, const Point& to) {
-    constexpr double slack = 1e-9;  // an edge at 45° does not change sides by round-off
+    constexpr double slack = 1e-9;  // so that round-off does not change the side of an edge at 45°
     const Point outward = -turnLeft(to - from);
     if (std::abs(outward.y()) >= std::abs(outward.x()) * (1.0 - slack))
         return outward.y() > 0.0 ? BoundarySide::Top : BoundarySide::Bottom;

@@ -16,7 +16,7 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
     return moved;
 }
 
-/// Marks the edge that a glued piece lies on with its length.
+/// Adds the length of a bonded interface to the edge on which it lies.
 void addGlued(const SharedEdge& shared, const std::vector<Point>& points, double tolerance,
               std::vector<double>& lengths) {
     const Point middle = 0.5 * (shared.from + shared.to);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nearness is the Levenshtein distance: insertions, deletions and replacements.
+// Similarity is measured by the Levenshtein distance: the number of insertions,
+// deletions and replacements.
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-// Half a name is meant to be the whole.
+// A name that begins with `text`, which is assumed to be incomplete; empty if there is none.
 std::string_view nameBeginningWith(std::string_view text, const std::vector<std::string_view>& names) {
     constexpr std::size_t shortestBeginning = 3;
     for (const std::string_view name : names)
@@ -40,7 +41,7 @@ std::string_view nameBeginningWith(std::string_view text, const std::vector<std:
     return {};
 }
 
-// Cuts at a character, not inside one: the bytes that continue a UTF-8 character start with 10.
+// Cuts between characters, never inside one: the continuation bytes of a UTF-8 character begin with the bits 10.
 std::string_view shortened(std::string_view text, std::size_t length) {
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
         --length;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The reader of products of units.
+// Parses products of units.
 #include "solver/scene/units.h"
 
 #include <cctype>
@@ -60,7 +60,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Multiplies the unit by a factor such as `mm²`, or divides by it.
+/// Multiplies or divides the unit by a factor such as `mm²`.
 bool apply(std::string_view factor, bool divide, Unit& unit) {
     factor = trimmed(factor);
     int exponent = takeExponent(factor);
@@ -90,7 +90,7 @@ constexpr PracticalUnit practical[] = {
     {"N/m³", "kN/m³", UnitUse::Forms},
 };
 
-/// Start of the next factor after `from`, and the length of the sign before it.
+/// Position and length of the next multiplication or division sign after `from`.
 struct Sign {
     std::size_t at, length;
     bool divides;
@@ -131,7 +131,7 @@ bool sameKind(const Unit& a, const Unit& b) { return a.powers == b.powers; }
 double converted(double number, const Unit& from, const Unit& to) {
     const double up = from.up * to.down, down = from.down * to.up;
     if (up == down) return number;
-    // One multiplication by an integer factor, so that no digit is lost.
+    // Multiplies or divides once by a whole number, so that no digits are lost.
     if (up > down && std::floor(up / down) == up / down) return number * (up / down);
     if (down > up && std::floor(down / up) == down / up) return number / (down / up);
     return number * up / down;
