@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shank's element by itself, assembled here from the same functions that
-// the engine uses.
+// The beam element of the bolt by itself, assembled here with the functions
+// that the engine uses.
 #include "solver/engine/laws/beam.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-/// Round bar of 20 mm, E 200 GPa, G 80 GPa.
+/// Round bar of 20 mm diameter, E = 200 GPa, G = 80 GPa.
 BeamSection bar() {
     BeamSection section;
     section.area = barArea();
@@ -35,7 +35,7 @@ Eigen::MatrixXd assembled(double length, int divisions, bool shears) {
     return k;
 }
 
-/// Deflection under 1 N at the free end of a clamped bar of 0.5 m [m].
+/// Deflection at the free end of a clamped bar of 0.5 m under a force of 1 N at that end [m].
 double cantileverDeflection(int divisions, bool shears) {
     const Eigen::MatrixXd k = assembled(0.5, divisions, shears).bottomRightCorner(3 * divisions, 3 * divisions);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * divisions);
@@ -43,7 +43,7 @@ double cantileverDeflection(int divisions, bool shears) {
     return k.llt().solve(load)(3 * divisions - 2);
 }
 
-/// PL³/3EI = 26.5258 µm; with shear, + k·PL/GA = 26.5523 µm.
+/// The deflection is PL³/3EI = 26.5258 µm; with shear deformation it is PL³/3EI + k·PL/GA = 26.5523 µm.
 std::vector<CaseResult> beamPatch() {
     Checks checks("beam patch");
     const BeamSection s = bar();
@@ -67,7 +67,7 @@ std::vector<CaseResult> beamPatch() {
     return checks.take();
 }
 
-/// First frequency of a bar of 2 m fixed at one end, lumped masses: c/4L = 630.93 Hz.
+/// First natural frequency of a bar of 2 m that is fixed at one end, with lumped masses: c/4L = 630.93 Hz.
 std::vector<CaseResult> barVibration() {
     Checks checks("bar vibration");
     const int divisions = 60;

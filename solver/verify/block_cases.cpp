@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks alone: what a body does that nothing but gravity, a slope or its own
-// elasticity acts on. The closed forms are next to each case.
+// Single blocks, in free flight, on a slope or rotating under their own
+// elasticity. The closed-form solutions are given with each case.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -57,7 +57,7 @@ double largestStress(const Results& results) {
     return largest;
 }
 
-/// y = v0·t − ½·g·t², x = u0·t: exact under Shi's scheme, for a constant force is integrated without error.
+/// y = v0·t − ½·g·t² and x = u0·t. Shi's scheme is exact here because it integrates a constant force without error.
 std::vector<CaseResult> projectile(const std::string& name, const Point& velocity) {
     Checks checks(name);
     Scene scene = loneBlock(hardRock, 0.25);
@@ -78,7 +78,7 @@ std::vector<CaseResult> projectile(const std::string& name, const Point& velocit
     return checks.take();
 }
 
-/// s = ½·g·(sin α − cos α·tan φ)·t².
+/// The slip is s = ½·g·(sin α − cos α·tan φ)·t².
 std::vector<CaseResult> slide() {
     Checks checks("incline");
     const double pairs[2][2] = {{30.0, 20.0}, {45.0, 30.0}};
@@ -104,7 +104,7 @@ std::vector<CaseResult> stick() {
     return checks.take();
 }
 
-/// Stress of a frame turned back by the block's rotation [Pa].
+/// The stress of a frame in axes that rotate with the block [Pa].
 std::array<double, 3> turnedBack(const BlockState& block) {
     const double c = std::cos(block.rotation), s = std::sin(block.rotation);
     const auto& [x, y, xy] = block.stress;
@@ -133,7 +133,8 @@ void spinFree(Checks& checks) {
                     1e-9);
 }
 
-/// 1 MPa along x, balanced by tractions on the two edges that turn with the block; ¼ turn in 100 steps, then on.
+/// A block under 1 MPa along x makes a quarter turn in 100 steps. The stress is balanced by tractions on two edges,
+/// which turn with the block.
 void spinStressed(Checks& checks) {
     Scene scene = loneBlock(hardRock, 0.25);
     scene.blocks[0].initialStress = {1e6, 0.0, 0.0};

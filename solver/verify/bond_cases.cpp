@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Grout that holds, slips or breaks along a bolt across one joint.
+// Bonds along a bolt that crosses one joint: elastic, slipping and brittle.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -26,7 +26,8 @@ Monitor boltForce(const std::string& name, double at) {
     return monitor;
 }
 
-/// 200 kN on a bolt of 20 mm held by a spring in the middle of each of `perSide` stretches of either side.
+/// A bolt of 20 mm diameter under 200 kN. On each side of the joint it is divided into `perSide` intervals, each with a
+/// spring in its middle as the bond.
 Scene shearLag(int perSide) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     const double h = 1.0 / perSide;
@@ -39,7 +40,7 @@ Scene shearLag(int perSide) {
     return scene;
 }
 
-/// The same bond by length. 2 kN, so that no length worth the name leaves the hole.
+/// The same bond, given per length. The load is only 2 kN, so that the length that slips out of the hole is negligible.
 Scene plateLag(int divisions, PlateKind plate) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
@@ -50,8 +51,8 @@ Scene plateLag(int divisions, PlateKind plate) {
     return scene;
 }
 
-/// Continuum: with λ² = k/EA, N(x) = P·sinh λ(1 − x)/sinh λ and slip P/(EAλ·tanh λ) at the joint; a rigid plate takes
-/// P/cosh λ and leaves P·tanh λ/(EAλ).
+/// Continuum solution: with λ² = k/EA, the axial force is N(x) = P·sinh λ(1 − x)/sinh λ, and the slip at the joint is
+/// P/(EAλ·tanh λ). A rigid plate carries P/cosh λ and reduces the slip to P·tanh λ/(EAλ).
 std::vector<CaseResult> elasticPull() {
     Checks checks("shear lag");
     std::vector<double> errors;
@@ -108,8 +109,9 @@ std::vector<CaseResult> brittle() {
     return checks.take();
 }
 
-/// Perfectly plastic bond q on a long cable of stiffness EA, slip u at the collar, λ² = k/EA: slip starts at q/λ and
-/// u = q/k; then P² = (q/λ)² + 2·EA·q·(u − q/k); the steel breaks at 500 kN.
+/// A long cable of stiffness EA with a perfectly plastic bond of strength q and stiffness k; u is the slip at the
+/// collar, and λ² = k/EA. Slip starts at P = q/λ and u = q/k. From then on, P² = (q/λ)² + 2·EA·q·(u − q/k). The steel
+/// breaks at 500 kN.
 struct Cable {
     double area = 181e-6, modulus = 98.6e9, length = 17.7, bond = 112e6, strength = 0.175e6, breaks = 500e3;
 
@@ -123,8 +125,8 @@ struct Cable {
     }
 };
 
-/// The collar lies one division inside the fixed block, so that what slips out of the grout stays in rock; the head is
-/// held by a rigid plate one division beyond the collar's neighbour.
+/// The collar lies 1.5 divisions inside the fixed block, so that the cable that slips out of the grout is still in
+/// rock. A rigid plate supports the head, which lies two divisions beyond the collar.
 Scene groutedCable(const Cable& cable, int divisions) {
     const double h = cable.length / divisions;
     Scene scene = twoBlocks(rigidRock, cable.length + 1.5 * h, cable.length + 3.0 * h);
@@ -144,7 +146,7 @@ Scene groutedCable(const Cable& cable, int divisions) {
     return scene;
 }
 
-/// Slip of the collar, force in the cable over the history.
+/// Slip at the collar and force in the cable for every row of the history.
 std::vector<std::pair<double, double>> collarPath(const Solved& solved) {
     const std::vector<double> slip = series(solved, "collar"), force = series(solved, "joint force");
     std::vector<std::pair<double, double>> path;
@@ -152,7 +154,7 @@ std::vector<std::pair<double, double>> collarPath(const Solved& solved) {
     return path;
 }
 
-/// Number of leading releases that are of nodes `first`, `first` − 1, …
+/// Number of releases at the beginning of the list that are those of nodes `first`, `first` − 1, … in this order.
 int slipsInwards(const std::vector<Release>& found, int first) {
     int slipped = 0;
     for (const Release& release : found) {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks cut into cells: a uniform stress must come out uniform, a beam must
-// bend as a beam does, and a bar must ring at its own frequency. What the glue
-// itself adds, one part in its multiple, is within every tolerance here.
+// Blocks divided into cells: a uniform stress must be reproduced, a beam must
+// deflect according to beam theory, and a bar must vibrate at its natural
+// frequency. The compliance that the bonds between cells add is within every
+// tolerance here.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -59,7 +60,7 @@ Stage staticStage(std::vector<Load> loads) {
     return stage;
 }
 
-/// Largest deviation of any cell's stress from `expected` [Pa]; NaN without a run.
+/// Largest deviation of the stress in any cell from `expected` [Pa]; NaN if there are no results.
 double stressDeviation(const Results& results, const std::array<double, 3>& expected) {
     if (results.frames.empty()) return std::nan("");
     double worst = 0.0;
@@ -68,10 +69,10 @@ double stressDeviation(const Results& results, const std::array<double, 3>& expe
     return worst;
 }
 
-/// A plate of 2 m × 1 m in cells of 0.25 m, held as little as statics need, pulled by 1 kPa at both ends: every cell
-/// carries 1 kPa, and the plate grows by σ·L/E.
+/// A plate of 2 m × 1 m in cells of 0.25 m, with statically determinate supports and a tension of 1 kPa at both ends.
+/// Every cell carries 1 kPa, and the plate elongates by σ·L/E.
 void pulledPlate(Checks& checks) {
-    const double stress = 1e3;  // strains whose squares are lost
+    const double stress = 1e3;  // small enough for the squares of strains to be negligible
     Scene scene = emptyScene(modulus, 0.25, 30.0);
     scene.blocks = {cutBlock("plate", {0, 0}, {2, 1}, 0.25)};
     std::vector<Load> loads(2);
@@ -89,7 +90,7 @@ void pulledPlate(Checks& checks) {
     checks.relative("pull: squeeze [m]", reading(solved, "last squeeze"), -0.25 * stress / modulus, 2e-3);
 }
 
-/// A square in cells of 0.25 m with tangential tractions τ all round: every cell is sheared by τ/G.
+/// A square in cells of 0.25 m with tangential tractions τ on all sides: the shear strain of every cell is τ/G.
 void shearedPlate(Checks& checks) {
     const double stress = 1e3, edge = 0.25;
     Scene scene = emptyScene(modulus, 0.25, 30.0);
@@ -120,12 +121,12 @@ std::vector<CaseResult> patch() {
     return checks.take();
 }
 
-/// Deflection of the tip of a beam of 10 m × 1 m in `rows` rows of cells under a force at its end, over that of the
-/// beam with shear, P·L³/3EI + P·L/κGA, κ = 10(1+ν)/(12+11ν) (Cowper 1966).
+/// Tip deflection of a beam of 10 m × 1 m in `rows` rows of cells under a force at its end, divided by the deflection
+/// of a beam with shear deformation, P·L³/3EI + P·L/κGA with κ = 10(1+ν)/(12+11ν) (Cowper 1966).
 double cantilever(int rows) {
     const double length = 10.0, depth = 1.0, force = 1e3, nu = 0.25;
     Scene scene = emptyScene(modulus, nu, 30.0);
-    scene.analysis.penaltyRatio = 1e4;  // the points that support the end are stiff compared with the beam
+    scene.analysis.penaltyRatio = 1e4;  // makes the point supports stiff compared with the beam
     scene.blocks = {cutBlock("beam", {0, 0}, {length, depth}, depth / rows)};
     std::vector<Load> loads;
     for (int i = 0; i < rows; ++i) {
@@ -152,7 +153,7 @@ std::vector<CaseResult> cantilevers() {
     return checks.take();
 }
 
-/// Seconds between the first and the last time that `values` pass `level` upwards, over the number of cycles between.
+/// Mean period [s] of the upward crossings of `level` by `values`.
 double periodOf(const Solved& solved, const std::vector<double>& values, double level) {
     std::vector<double> passed;
     for (std::size_t i = 1; i < values.size(); ++i) {
@@ -164,8 +165,8 @@ double periodOf(const Solved& solved, const std::vector<double>& values, double 
     return passed.size() < 2 ? std::nan("") : (passed.back() - passed.front()) / static_cast<double>(passed.size() - 1);
 }
 
-/// A free bar of 10 m in cells of 0.25 m that starts with a stress which nothing balances: its length swings about what
-/// that stress takes from it, with the period 2L/c, c = √(E/ρ).
+/// A free bar of 10 m in cells of 0.25 m that starts with an unbalanced stress. Its length oscillates about the
+/// stress-free length with the period 2L/c, c = √(E/ρ).
 std::vector<CaseResult> ringingBar() {
     Checks checks("bar of cells");
     const double length = 10.0, stress = 1e6;
@@ -187,13 +188,13 @@ std::vector<CaseResult> ringingBar() {
     return checks.take();
 }
 
-/// Moment at which the first contact of a bonded joint fails [N m], and where.
+/// Moment at which the first contact of a bonded joint fails [N m], and the height of that contact [m].
 struct Crack {
     double moment = 0.0, height = 0.0;
 };
 
-/// A beam of 6 m × 1 m with a bonded joint at half its length, bent by two pairs of forces. \param rows of cells; 0: the
-/// halves are whole blocks.
+/// A beam of 6 m × 1 m with a bonded joint at mid-span, bent by two pairs of forces. \param rows rows of cells; 0: the
+/// two halves are whole blocks.
 Crack crackOf(int rows, double tensileStrength, std::optional<double> normalStiffness) {
     const double length = 6.0, depth = 1.0, cell = depth / std::max(rows, 1);
     Scene scene = emptyScene(modulus, 0.2, 40.0);
@@ -220,7 +221,7 @@ Crack crackOf(int rows, double tensileStrength, std::optional<double> normalStif
         }
     scene.supports = {heldAt({0.5 * length - 0.3, 0.5 * cell}, Fix::XY), heldAt({0.5 * length + 0.3, 0.5 * cell}, Fix::Y)};
     scene.stages = {stage};
-    scene.limits.iterations = 40;  // what follows the first crack is of no interest
+    scene.limits.iterations = 40;  // enough to reach the first crack
     const Solved solved = solve(scene);
     if (solved.results.events.empty()) return {std::nan(""), std::nan("")};
     const Event& first = solved.results.events.front();

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks that meet: what a collision keeps, how a block on a slope begins to
-// move, and how long one rocks. The closed forms are next to each case.
+// Blocks in contact: what a collision conserves, how a block on a slope starts
+// to move, and the period of a rocking block. The closed-form solutions are
+// given with each case.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -16,9 +17,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr double rockDensity = 2700.0;  // [kg/m³] of the verification's rock
-constexpr double modesSeen = 0.1;  // [s] after which a block's mode is determined
-constexpr double moved = 5e-5;  // [m, rad]: less is elastic
+constexpr double rockDensity = 2700.0;  // [kg/m³] of the rock in the verification scenes
+constexpr double modesSeen = 0.1;  // [s] after which the mode of motion is determined
+constexpr double moved = 5e-5;  // [m, rad] smaller movements are elastic
 
 Stage motion(double duration, double timeStep) {
     Stage stage;
@@ -37,7 +38,7 @@ void push(Scene& scene, std::size_t block, const Point& velocity, double spin) {
     scene.stages.back().initialVelocities.push_back(initial);
 }
 
-/// Two free squares of 1 m, the second 1 mm to the right and `offset` up.
+/// Two free squares of 1 m. The second one lies 1 mm to the right of the first and is `offset` [m] higher.
 Scene twoSquares(double offset) {
     Scene scene = emptyScene(hardRock, 0.25, 0.0);
     scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("right", {1.001, offset}, {2.001, 1 + offset})};
@@ -46,8 +47,8 @@ Scene twoSquares(double offset) {
     return scene;
 }
 
-/// Momentum, and angular momentum about the origin, between the last two frames (in flight both turn at constant rates;
-/// squares do not couple spin and strain).
+/// Linear momentum, and angular momentum about the origin, from the last two frames. The blocks are then in free flight
+/// and rotate at constant rates; squares do not couple spin and strain.
 struct Momenta {
     Point linear{0.0, 0.0};
     double angular = 0.0;
@@ -98,7 +99,8 @@ std::vector<CaseResult> freeCollision() {
     return checks.take();
 }
 
-/// A block `breadth` wide and 1 m high on a fixed plane that dips by `slope`° to the right (gravity is turned).
+/// A block `breadth` wide and 1 m high on a fixed plane that dips by `slope`° to the right. The plane is drawn
+/// horizontal, and gravity is inclined instead.
 Scene blockOnSlope(double breadth, double slope, double frictionAngle) {
     Scene scene = emptyScene(hardRock, 0.25, frictionAngle);
     scene.analysis.gravity = {gravity * std::sin(slope * degree), -gravity * std::cos(slope * degree)};
@@ -108,13 +110,13 @@ Scene blockOnSlope(double breadth, double slope, double frictionAngle) {
     scene.supports = {support};
     Monitor toe;
     toe.name = "toe";
-    toe.point = Point(breadth - 1e-3, 1e-3);  // a hair inside: at the corner itself the plane would be watched
+    toe.point = Point(breadth - 1e-3, 1e-3);  // inside the block; at the corner itself, the plane would be monitored
     scene.monitors = {toe};
     scene.stages = {motion(modesSeen, 1e-3)};
     return scene;
 }
 
-/// 1 where the toe slides, plus 2 where the block turns.
+/// Mode of motion: 1 if the toe slides, plus 2 if the block rotates.
 double modeOf(double breadth, double slope, double frictionAngle) {
     const Solved solved = solve(blockOnSlope(breadth, slope, frictionAngle));
     const double slid = std::abs(reading(solved, "last toe.ux"));
@@ -122,9 +124,9 @@ double modeOf(double breadth, double slope, double frictionAngle) {
     return (slid > moved ? 1.0 : 0.0) + (turned > moved ? 2.0 : 0.0);
 }
 
-/// A block of b/h = 0.3 on 30°: with slip at the toe it turns only where friction gives a moment, tan φ > b/h
-/// (16.70°); it turns without slip where friction holds the toe of the turning block, above 20.08°. One of b/h = 0.7
-/// stable where φ > 30° (Sagaseta 1986; Yeung 1991).
+/// A block with b/h = 0.3 on a slope of 30°. If its toe slips, the block rotates only if friction produces a moment,
+/// tan φ > b/h (16.70°). It rotates without slip if friction holds the toe of the rotating block, above 20.08°. A block
+/// with b/h = 0.7 is stable if φ > 30° (Sagaseta 1986; Yeung 1991).
 std::vector<CaseResult> modes() {
     Checks checks("sliding and toppling");
     for (const auto& [friction, text, mode] :
@@ -135,9 +137,10 @@ std::vector<CaseResult> modes() {
     return checks.take();
 }
 
-/// Half-width 0.25 m, half-height 1 m, released on its corner at half of the critical tilt α = atan ¼. With R from the
-/// corner to the centroid, (4/3)·R·θ″ = −g·sin(α − θ), so the quarter period is the integral from 0 to θ₀ of
-/// dθ / √((3g/2R)(cos(α − θ₀) − cos(α − θ))): 0.49380 s (linearised by Housner 1963: 0.4929 s).
+/// A block with a half-width of 0.25 m and a half-height of 1 m is released on its corner at half of the critical tilt
+/// α = atan ¼. With the distance R from the corner to the centroid, (4/3)·R·θ″ = −g·sin(α − θ). The quarter period is
+/// therefore the integral from 0 to θ₀ of dθ / √((3g/2R)(cos(α − θ₀) − cos(α − θ))), which is 0.49380 s (linearised by
+/// Housner 1963: 0.4929 s).
 std::vector<CaseResult> rocking() {
     Checks checks("rocking block");
     const double tilt = 0.5 * std::atan(0.25);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bolts that hold across themselves, or slip while a block slides: shear of a
-// joint, and a block on a plane.
+// A bolt across a joint that is sheared, and a bolt whose anchor slips while a
+// block slides on a plane.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/paper_steel.h"
@@ -17,7 +17,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double grout = 27.08e9;  // [N/m²] 2·E_g/(D/d − 1), E_g 8.8 GPa, hole 33 mm, bar 20 mm
+// [N/m²] 2·E_g/(D/d − 1) with E_g = 8.8 GPa, a hole of D = 33 mm and a bar of d = 20 mm
+constexpr double grout = 27.08e9;
 
 Monitor jointQuantity(const Scene& scene, const std::string& name, BoltQuantity quantity) {
     Monitor monitor = scene.monitors.back();
@@ -34,8 +35,8 @@ Stage shearStage(const Scene& scene, double displacement, int increments) {
     return stage;
 }
 
-/// A bolt of `elements` elements of `length` [m] each, across the joint in the middle of one. Weak anchors at its ends
-/// hold the blocks together without pulling the bar as it bends.
+/// A bolt across the joint with `elements` elements of `length` [m] each; the joint is in the middle of one of them.
+/// Weak anchors at the ends of the bolt hold the blocks together without tensioning the bar as it bends.
 Scene shearedJoint(BoltType type, double length, int elements, double displacement, int increments) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     const double reach = 0.5 * length * elements;
@@ -46,14 +47,14 @@ Scene shearedJoint(BoltType type, double length, int elements, double displaceme
     return scene;
 }
 
-/// Place [m] and size of the extremum of the parabola through three points at −1, 0 and 1 steps of `h` about `x`.
+/// Position [m] and value of the extremum of the parabola through three points at x − h, x and x + h.
 std::pair<double, double> topOf(double x, double h, double left, double middle, double right) {
     const double curvature = left - 2.0 * middle + right, slope = 0.5 * (right - left);
     return {x - h * slope / curvature, middle - 0.5 * slope * slope / curvature};
 }
 
-/// A beam on springs K with half the joint's displacement at x = 0: Q = EIβ³ × displacement; the moment
-/// Q/β·e^(−βx)·sin βx is largest at π/4β; β = (K/4EI)^¼.
+/// A beam on an elastic foundation K with half of the joint's displacement at x = 0: the shear force is Q = EIβ³ ×
+/// displacement with β = (K/4EI)^¼. The moment Q/β·e^(−βx)·sin βx is largest at x = π/4β.
 std::vector<CaseResult> dowel() {
     Checks checks("dowel");
     const double h = 2.5e-3, shear = 20e-6, d = 0.02;
@@ -61,7 +62,7 @@ std::vector<CaseResult> dowel() {
     type.bending = Bending::Elastic;
     type.normalStiffness = grout;
     type.normalPer = Per::Length;
-    type.shearCoefficient = 1e-9;  // no shear of the bar: b = 0
+    type.shearCoefficient = 1e-9;  // suppresses the shear deformation of the bar (b = 0)
     const Solved solved = solve(shearedJoint(type, h, 243, shear, 1));
     const double q = std::abs(reading(solved, "last shear force"));
     checks.relative("stiffness of the joint [N/m]", q / shear, 148.6e6, 1e-2);
@@ -77,7 +78,7 @@ std::vector<CaseResult> dowel() {
     return checks.take();
 }
 
-/// Shear ruptures the bar at 0.6 of A × 630 MPa.
+/// The bar ruptures in shear at 0.6·A·630 MPa.
 std::vector<CaseResult> guillotine() {
     Checks checks("guillotine");
     BoltType type = steelType(barArea(), textSteel);
@@ -92,7 +93,7 @@ std::vector<CaseResult> guillotine() {
 
 constexpr double planeAngle = 42.0 * degree, boltAngle = 15.0 * degree, frictionAngle = 36.0;
 
-/// `along` down the plane and `up` from it [m].
+/// Point at a distance `along` down the plane and `up` normal to it [m].
 Point onPlane(double along, double up) {
     const Point down(std::cos(planeAngle), -std::sin(planeAngle)), out(std::sin(planeAngle), std::cos(planeAngle));
     return along * down + up * out;
@@ -104,8 +105,8 @@ Block planeBox(const std::string& name, double from, double to, double low, doub
     return block;
 }
 
-/// A block of 1000 kN, held by a bar whose anchor in the rock below slips at `force` [N]. The bar is so stiff that the
-/// block hardly slides before: where it does, the bar is kinked at the joint and pulls at less than its angle.
+/// A block of 1000 kN, supported by a bar whose anchor in the rock below slips at `force` [N]. The bar is so stiff that
+/// the block hardly slides before that. If it did, the bar would have a kink at the joint and pull at a smaller angle.
 Scene blockOnPlane(double force) {
     Scene scene = emptyScene(10e9, 0.2, frictionAngle);
     scene.analysis.gravity = {0.0, -gravity};
@@ -133,7 +134,7 @@ Scene blockOnPlane(double force) {
     return scene;
 }
 
-/// T·(cos δ + sin δ·tan φ) = W·(sin α − cos α·tan φ): T = 111.97 kN.
+/// T·(cos δ + sin δ·tan φ) = W·(sin α − cos α·tan φ) gives T = 111.97 kN.
 std::vector<CaseResult> boltedBlockOnPlane() {
     Checks checks("block on a plane");
     const auto outcome = [](double force) {

@@ -18,14 +18,14 @@ constexpr double modeModulus = 60e6, modeDensity = 2700.0, firstStress = 100.0;
 
 double radiusOf(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
 
-/// One step of (u, Δt·v, Δt²·a) for u″ = −η²·u − 2ζη·u′ with Δt = 1. Damping acts against the step's mean velocity,
-/// under generalized-α against that between start and end where forces are taken.
+/// The matrix of one step for (u, Δt·v, Δt²·a) of u″ = −η²·u − 2ζη·u′ with Δt = 1. Damping acts on the mean velocity of
+/// the step. Under generalized-α, it acts on the velocity at the point of the step at which forces are evaluated.
 Eigen::Matrix3d stepMatrix(const ModeSetting& s) {
     const double k = s.eta * s.eta, c = 2.0 * (s.massShare + s.stiffnessShare) * s.eta;
     Eigen::Matrix3d step = Eigen::Matrix3d::Zero();
     if (s.scheme == Integration::GeneralizedAlpha) {
         const double r = s.rhoInf, am = (2 * r - 1) / (r + 1), af = r / (r + 1), g = 0.5 - am + af, b = 1 / ((r + 1) * (r + 1));
-        // (1 − am)·a⁺ + am·a + c·[(1 − af)·v⁺ + af·v] + k·[(1 − af)·u⁺ + af·u] = 0, Newmark's u⁺ and v⁺ put in
+        // (1 − am)·a⁺ + am·a + c·[(1 − af)·v⁺ + af·v] + k·[(1 − af)·u⁺ + af·u] = 0 with Newmark's u⁺ and v⁺ substituted
         const double whole = (1 - am) + c * (1 - af) * g + k * (1 - af) * b;
         const Eigen::RowVector3d a(-k / whole, -(c + k * (1 - af)) / whole,
                                    -(am + c * (1 - af) * (1 - g) + k * (1 - af) * (0.5 - b)) / whole);
@@ -36,7 +36,7 @@ Eigen::Matrix3d stepMatrix(const ModeSetting& s) {
     }
     const bool euler = s.scheme == Integration::BackwardEuler;
     const double inertia = euler ? 1.0 : 2.0, share = s.scheme == Integration::Newmark ? 0.5 : 1.0;
-    // inertia·(D − v) + c·D + k·(u + share·D) = 0
+    // for the displacement D of the step: inertia·(D − v) + c·D + k·(u + share·D) = 0
     const Eigen::RowVector3d d = Eigen::RowVector3d(-k, inertia, 0) / (inertia + c + share * k);
     step.row(0) = Eigen::RowVector3d(1, 0, 0) + d;
     step.row(1) = inertia * d - (euler ? 0.0 : 1.0) * Eigen::RowVector3d(0, 1, 0);
@@ -77,7 +77,7 @@ std::vector<double> closedSeries(const ModeSetting& setting) {
 }
 
 int stepsRemembered(const ModeSetting& setting) {
-    // with ρ∞ = 1 and first accelerations that balance, M·a = F after every step: a third value says nothing new
+    // with ρ∞ = 1 and initial accelerations in equilibrium, M·a = F after every step: a third value adds no information
     return setting.scheme == Integration::GeneralizedAlpha && setting.rhoInf < 1.0 ? 3 : 2;
 }
 

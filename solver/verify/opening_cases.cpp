@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A circular opening in glued rock against Kirsch's stresses. The scene is one
-// that a user could draw: a domain under in-situ stress, cut by joints along
-// rings and along the zigzags between them, all of them bonded for good, and a
-// tunnel that a static stage excavates.
+// Stresses around a circular opening in bonded rock, compared with Kirsch's
+// solution. A user could draw the same scene: a domain under in-situ stress,
+// cut by joints along rings and along the zigzags between them, all of them
+// bonded so that they cannot fail, and a tunnel that a static stage excavates.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -21,14 +21,15 @@ namespace keyblock {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double radius = 1.0;  // [m] of the opening
-constexpr double boundary = 20.0;  // [m]: held there, the rock is too stiff by some (radius/boundary)² at the opening
-constexpr double sideways = -2e6, upright = -1e6;  // [Pa] the stress in situ
+constexpr double radius = 1.0;  // [m] radius of the opening
+// [m] radius of the fixed boundary, which makes the rock at the opening too stiff by about (radius/boundary)²
+constexpr double boundary = 20.0;
+constexpr double sideways = -2e6, upright = -1e6;  // [Pa] in-situ stress, horizontal and vertical
 constexpr double openingModulus = 10e9;  // [Pa]
 constexpr double unbreakable = 1e15;  // [Pa]
-constexpr double nearest = 1.2, farthest = 3.0;  // [radii] where stresses are compared
+constexpr double nearest = 1.2, farthest = 3.0;  // [radii] range in which stresses are compared
 
-/// A polygon of `sides` corners; every other one is turned by half a side.
+/// A polygon with `sides` corners. \param turned rotates it by half a side.
 std::vector<Point> ring(int sides, double cornerRadius, bool turned) {
     std::vector<Point> points;
     for (int i = 0; i < sides; ++i) {
@@ -38,12 +39,12 @@ std::vector<Point> ring(int sides, double cornerRadius, bool turned) {
     return points;
 }
 
-/// A polygon of the opening's area: to the first order in how far it is from a circle, all else that it changes has
-/// the period of its sides and fades as (radius/r)^sides.
+/// Corner radius of a polygon that has the same area as the circular opening. To first order in the deviation from a
+/// circle, all other effects of the polygon have the period of its sides and decay as (radius/r)^sides.
 double cornerOfEqualArea(int sides) { return radius / std::sqrt(sides / (2.0 * pi) * std::sin(2.0 * pi / sides)); }
 
-/// Polygons from the opening to the boundary whose radii grow evenly, such that triangles between two of them are about
-/// equilateral.
+/// Polygons from the opening to the boundary. Their radii increase by a constant factor, so that the triangles between
+/// two polygons are nearly equilateral.
 std::vector<std::vector<Point>> rings(int sides) {
     const double first = cornerOfEqualArea(sides);
     const double range = std::log(boundary / first), step = std::log(1.0 + std::sqrt(3.0) * pi / sides);
@@ -53,7 +54,7 @@ std::vector<std::vector<Point>> rings(int sides) {
     return all;
 }
 
-/// From corner to corner between two rings, all the way round.
+/// The zigzag line from corner to corner between two rings, all the way round.
 std::vector<Point> zigzag(const std::vector<Point>& inner, const std::vector<Point>& outer, bool innerTurned) {
     const auto &first = innerTurned ? outer : inner, &second = innerTurned ? inner : outer;
     std::vector<Point> points;
@@ -75,12 +76,12 @@ void addJoint(Scene& scene, const std::vector<Point>& points) {
 void cutIntoTriangles(Scene& scene, const std::vector<std::vector<Point>>& rings) {
     for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
         addJoint(scene, zigzag(rings[k], rings[k + 1], k % 2 == 1));
-        if (k == 0) continue;  // the opening's own outline
+        if (k == 0) continue;  // the first ring is the outline of the opening
         std::vector<Point> closed = rings[k];
         closed.push_back(closed.front());
         addJoint(scene, closed);
     }
-    scene.cutting.minArea = 0.0;  // triangles are deliberately of all sizes
+    scene.cutting.minArea = 0.0;  // triangles of all sizes are intended
     scene.cutting.minWidth = 0.0;
 }
 
@@ -112,12 +113,12 @@ Scene openingScene(int sides) {
     Stage stage;
     stage.name = "excavate";
     stage.excavate = {"opening"};
-    stage.increments = 1;  // nothing can fail on the way
+    stage.increments = 1;  // nothing can fail, so one is enough
     scene.stages = {stage};
     return scene;
 }
 
-/// Kirsch (1898): hoop stress round a circular opening in an infinite plate under `sideways` and `upright` [Pa].
+/// Hoop stress around a circular opening in an infinite plate under `sideways` and `upright` [Pa] (Kirsch 1898).
 double kirschHoop(const Point& place) {
     const double q = radius * radius / place.squaredNorm(), angle = std::atan2(place.y(), place.x());
     const double mean = 0.5 * (sideways + upright), half = 0.5 * (sideways - upright);
@@ -130,8 +131,8 @@ double hoop(const Stress& stress, const Point& place) {
 }
 
 struct HoopError {
-    int blocks = 0;  // compared
-    double norm = 0.0;  // L2, over that of Kirsch's stresses
+    int blocks = 0;  // number of blocks compared
+    double norm = 0.0;  // L2 norm of the error, divided by that of Kirsch's stresses
 };
 
 HoopError hoopError(const Results& results) {
@@ -151,9 +152,9 @@ HoopError hoopError(const Results& results) {
     return error;
 }
 
-/// A triangle's one strain is that of its corners' displacements; at its centroid it is off by the second derivatives
-/// times the size, alternately in triangles that point inwards and outwards. So the error is of the first order: it
-/// halves with the size.
+/// A triangle has a single strain, which follows from the displacements of its corners. At the centroid it differs from
+/// the exact strain by the second derivatives of the displacement times the size, with opposite signs in triangles that
+/// point inwards and outwards. The error is therefore of first order: it halves with the size.
 std::vector<CaseResult> openings() {
     Checks checks("circular opening");
     double before = 0.0;

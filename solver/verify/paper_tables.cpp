@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tables of the unified bolt paper, the independent reference and this
-// program side by side. The program is checked against the reference: no reading of the
-// paper's parameters fits all of the paper's numbers, and none is bent to.
+// Side by side: the tables of the unified bolt paper, the independent reference
+// and this program. The program is checked against the reference, because no
+// interpretation of the paper's parameters reproduces all of its numbers. No
+// parameter is adjusted to fit them.
 #include "solver/verify/paper_steel.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/references.h"
@@ -24,7 +25,7 @@ PaperRow row(const char* quantity, const char* unit, std::optional<double> paper
     return {quantity, unit, paper, reference, keyblock, tolerance, passed};
 }
 
-/// kN and mm, as the paper prints them.
+/// Rows are in kN and mm, as printed in the paper.
 PaperRow load(const char* quantity, std::optional<double> paper, double reference, double keyblock) {
     return row(quantity, "kN", paper, reference * 1e-3, keyblock * 1e-3, ofLoads);
 }

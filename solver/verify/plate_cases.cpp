@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A plate that is a block, held by contact, must carry what a plate of springs
-// carries: between them are only the contact's penalty and the plate's steel,
-// ten thousand times as stiff as the plate's springs.
+// A plate modelled as a block, held by contact, must carry the same force as a
+// plate modelled by springs. The two differ only by the compliance of the
+// contact penalty and of the plate's steel, both ten thousand times as stiff as
+// the plate's springs.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -21,7 +22,7 @@ double plateForce(Scene scene, PlateKind kind) {
     return reading(solve(scene), "last B.plate_force");
 }
 
-/// The paper's elastic rebar under 200 kN: a soft, a middling and a stiff bond leave the plate much, little, nothing.
+/// The paper's elastic rebar under 200 kN. The stiffer the bond, the less force reaches the plate.
 void elasticRebars(Checks& checks) {
     const double bonds[] = {20e6, 84.78e6};
     for (const double bond : bonds) {
@@ -32,20 +33,21 @@ void elasticRebars(Checks& checks) {
     }
 }
 
-/// The head leaves a face at an angle: the plate lies on the face, and its normal force is that across the face.
+/// The head leaves a face at an angle. The plate lies on the face, and its normal force is the component of the bolt
+/// force normal to the face.
 void inclined(Checks& checks) {
     const double angle = std::atan2(0.3, 0.9);
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
     type.bending = Bending::None;
     type.anchors = {anchorAt(0.0, AnchorLaw::Elastic, 1e12)};
-    type.normalStiffness = 1e3;  // nothing to speak of across but the plate
+    type.normalStiffness = 1e3;  // the transverse force is negligible except at the plate
     type.plate.normalStiffness = type.plate.shearStiffness = 1e9;
     addBolt(scene, type, 0.1, 2.0, 1, PlateKind::Block);
     scene.bolts.front().farEnd = {0.2, 0.3};
     scene.bolts.front().head = {2.0, 0.9};
-    scene.jointMaterials.front().second.frictionAngle = 60.0;  // the plate must not slide along the face
-    Support rail;  // the block is drawn along x only
+    scene.jointMaterials.front().second.frictionAngle = 60.0;  // keeps the plate from sliding along the face
+    Support rail;  // restricts the block to movement along x
     rail.point = Point(1.5, 0.0);
     rail.fix = Fix::Y;
     scene.supports.push_back(rail);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A friction bolt drawn through a block, a gap and another block, and right out
-// of both: what holds it is its friction per metre times the length that is in
-// the rock, wherever its nodes are. Statically, and once in motion.
+// A friction bolt is pulled through a block, a gap and another block until it
+// is out of both. Its resistance is its friction per metre times the length
+// that is in rock, regardless of the positions of its nodes. The case is run
+// statically and dynamically.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -17,12 +18,14 @@ namespace keyblock {
 namespace {
 
 constexpr double boltFriction = 54e3;  // [N/m]
-constexpr double firstEnd = 1.0, secondStart = 1.2, secondEnd = 2.2;  // [m] the blocks along the bolt
+constexpr double firstEnd = 1.0, secondStart = 1.2, secondEnd = 2.2;  // [m] ends of the blocks along the bolt
 constexpr double farEnd = 0.2, head = 3.0, drawn = 2.1;  // [m]
-constexpr double drawSpeed = 1.0, timeStep = 1e-3, faster = 0.1;  // [m/s, s]; after [m] the bolt is drawn at that speed
-constexpr double shortest = 0.02;  // [m] embedded: less is compared with this length
+// [m/s], [s], [m]: in the dynamic run, the bolt is pulled at `drawSpeed` once it has moved by `faster`
+constexpr double drawSpeed = 1.0, timeStep = 1e-3, faster = 0.1;
+// [m] if less than this is embedded, deviations are relative to the friction over this length
+constexpr double shortest = 0.02;
 
-/// Two fixed blocks with a gap between them, and a third that draws the bolt by its head.
+/// Two fixed blocks with a gap between them, and a third block that pulls the bolt by its head.
 Scene drawnThrough() {
     Scene scene = emptyScene(rigidRock, 0.17, 0.0);
     scene.blocks = {boxBlock("first", {0, 0}, {firstEnd, 1}), boxBlock("second", {secondStart, 0}, {secondEnd, 1}),
@@ -52,16 +55,17 @@ double axialForceAt(const BoltFrame& bolt, double x) {
     return 0.0;
 }
 
-/// What was found on the way, each as the worst of all frames.
+/// Results of the whole run: the largest values over all frames, and the force at the end.
 struct Passage {
-    double gapForce = 0.0, pullForce = 0.0;  // deviation, over friction × embedded length
+    double gapForce = 0.0, pullForce = 0.0;  // deviation, divided by friction × embedded length
     double balance = 0.0;  // energy balance error
-    double balanceJump = 0.0;  // of that, from frame to frame
-    int wayOfTip = 0;  // 1 while the tip's blocks were 1, none, 2, none so far
+    double balanceJump = 0.0;  // largest change of that error between frames
+    int wayOfTip = 0;  // 1 if the tip was in block 1, in the gap, in block 2 and outside, in this order
     double lastForce = 0.0;  // [N]
 };
 
-/// \param from drawn so far, every node slides [m]. \param lag a step in motion takes the lengths at its start [m].
+/// \param from displacement of the tip from which every node slides [m]. \param lag distance that the tip moves in a
+/// dynamic step, which uses the embedded lengths at its start [m].
 void follow(Passage& passage, const Frame& frame, double from, double lag) {
     const BoltFrame& bolt = frame.bolts.front();
     const double tip = bolt.nodes.front().position.x() - lag;

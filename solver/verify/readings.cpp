@@ -26,7 +26,7 @@ std::size_t columnOf(const Scene& scene, const std::string& monitor, int compone
     return static_cast<std::size_t>(historyColumn(scene, subject));
 }
 
-/// The row just before an event.
+/// The history row just before an event; null if there is none.
 const HistoryRow* rowBefore(const Results& results, const Event& event) {
     return event.historyRow < 0 ? nullptr : &results.history[static_cast<std::size_t>(event.historyRow)];
 }

@@ -5,7 +5,7 @@
 namespace keyblock {
 
 std::vector<int> rebarOrder(int divisions, int releases) {
-    const int last = divisions == 59 ? 30 : 31;  // first node beyond the joint
+    const int last = divisions == 59 ? 30 : 31;  // index of the first node beyond the joint
     const int pairs = releases - 30;
     std::vector<int> order;
     for (int i = 0; i < 30; ++i) {

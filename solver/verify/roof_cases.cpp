@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks in a roof that the stress of the rock holds: where they begin to fall.
-// The scenes are a domain cut by joints under stress in situ.
+// Roof blocks that are supported by horizontal in-situ stress: the conditions
+// under which they begin to fall. The scenes are domains under in-situ stress,
+// cut by joints.
 #include "solver/verify/bisection.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr double unitWeight = 26e3;  // [N/m³]
 
-/// Rock from the roof line y = 0 up to `top` between `left` and `right`, cut by joints, under −`stress` along x.
+/// A domain from the roof line y = 0 up to `top`, between `left` and `right`, under the horizontal stress −`stress`
+/// [Pa]. The caller adds the joints that cut it.
 Scene roofScene(double left, double right, double top, double stress, double frictionAngle) {
     Scene scene = emptyScene(rigidRock, 0.25, frictionAngle);
     scene.analysis.gravity = {0.0, -gravity};
@@ -51,7 +53,7 @@ void holdSide(Scene& scene, BoundarySide side) {
     scene.supports.push_back(support);
 }
 
-/// 1 where the roof holds, 0 where it collapses, NaN where the run ends otherwise.
+/// 1 if the roof is stable, 0 if it collapses, NaN if the run ends otherwise.
 double holds(const Scene& scene) {
     const Results results = solve(scene).results;
     if (results.stages.empty()) return std::nan("");
@@ -59,7 +61,7 @@ double holds(const Scene& scene) {
     return outcome == Outcome::Equilibrium ? 1.0 : outcome == Outcome::Collapse ? 0.0 : std::nan("");
 }
 
-/// A column 1 m wide and 2 m high between two walls that are held.
+/// A column 1 m wide and 2 m high between two walls that are fixed at their outer sides.
 Scene plugScene(double stress, double frictionAngle) {
     Scene scene = roofScene(-2.0, 3.0, 2.0, stress, frictionAngle);
     scene.joints = {joint("left", {{0.0, 0.0}, {0.0, 2.0}}), joint("right", {{1.0, 0.0}, {1.0, 2.0}})};
@@ -68,7 +70,8 @@ Scene plugScene(double stress, double frictionAngle) {
     return scene;
 }
 
-/// The walls are upright and stay where they are, so the stress on them does too: γ·b·h = 2·σh·h·tan φ, whatever h is.
+/// The walls are vertical and do not move, so the stress on them does not change: γ·b·h = 2·σh·h·tan φ, independent of
+/// h.
 std::vector<CaseResult> plug() {
     Checks checks("roof plug");
     const double stress = 50e3, width = 1.0;
@@ -94,9 +97,10 @@ Scene prismScene(double stiffnessRatio, double stress) {
     return scene;
 }
 
-/// Stress that just holds the prism (Crawford and Bray 1983; Brady and Brown). At first each face, at α from the
-/// vertical, carries H·cos α across and H·sin α along it, H = σh·h. A sinking by u takes kn·u·sin α from the one and adds
-/// ks·u·cos α to the other, and friction is passed where W is
+/// The smallest stress that supports the prism (Crawford and Bray 1983; Brady and Brown). Initially each face, at an
+/// angle α to the vertical, carries the normal force H·cos α and the shear force H·sin α, with H = σh·h. If the prism
+/// moves down by u, the normal force decreases by kn·u·sin α and the shear force increases by ks·u·cos α. Friction is
+/// exceeded at the weight W =
 ///     2·H·(ks·cos²α + kn·sin²α)·sin(φ − α) / (ks·cos α·cos φ + kn·sin α·sin φ).
 double prismStress(double ratio) {
     const double a = halfAngle * degree, f = prismFriction * degree;

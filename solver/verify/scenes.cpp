@@ -9,7 +9,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double axisHeight = 0.5;  // [m] of the bolt
+constexpr double axisHeight = 0.5;  // [m] height of the bolt axis
 constexpr double paperBond = 84.78e6;  // [N/m] per node
 constexpr double paperResidual = 2.24e3;  // [N] per node
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The schemes of time integration on what has one frequency: a strain mode, a
-// impact on a spring, a weight hung on a bar, a vibrating bar.
+// The time integration schemes, applied to problems with a single frequency: a
+// strain mode, an impact on a spring, a weight suspended from a bar and a
+// vibrating bar.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/mode.h"
@@ -68,14 +69,14 @@ std::vector<CaseResult> rayleigh() {
                                 ", amplitude kept per step at η 0.1",
                             spectralRadius(modeSeries(setting), stepsRemembered(setting)), closedRadius(setting), 1e-6);
         }
-    // e^(−ζη): what the damping itself takes from an amplitude; the scheme's share is of second order
+    // e^(−ζη) is the decay due to the damping itself; the decay due to the scheme is of second order
     const ModeSetting fine{.scheme = Integration::Newmark, .eta = 0.02, .stiffnessShare = 0.05};
     checks.relative("Newmark, 5 % by stiffness, decay per step against e^(−ζη) at η 0.02",
                     spectralRadius(modeSeries(fine), 2), std::exp(-0.05 * 0.02), 1e-6);
     return checks.take();
 }
 
-/// A stiff block meets springs of η = Δt·√(Σkn/m) with 1 m/s, no gravity.
+/// A stiff block hits springs of η = Δt·√(Σkn/m) at 1 m/s, without gravity.
 Scene impact(Integration integration, double eta) {
     Scene scene = emptyScene(rigidRock, 0.0, 0.0);
     scene.analysis.penaltyRatio = 1e-5;
@@ -84,7 +85,7 @@ Scene impact(Integration integration, double eta) {
     support.blockAt = Point(0.5, -0.5);
     scene.supports = {support};
     const double step = eta * std::sqrt(2700.0 / (2.0 * scene.analysis.penaltyRatio * rigidRock));
-    const double contact = std::numbers::pi / eta;  // steps
+    const double contact = std::numbers::pi / eta;  // number of steps
     scene.stages = {dynamicStage(integration, std::ceil(3.0 * contact + 10.0) * step, step)};
     throwBlock(scene, {0.5, 0.4}, {0.0, -1.0});
     scene.output.every = step;
@@ -95,7 +96,7 @@ double restitution(const Results& results) {
     return results.frames.size() < 10 ? std::nan("") : results.frames.back().blocks[1].velocity.y();
 }
 
-/// Largest kinetic and stored energy over that at the start.
+/// Largest sum of kinetic and stored energy, divided by the energy at the start.
 double mostEnergy(const Results& results) {
     double most = 0.0;
     for (const Frame& frame : results.frames)
@@ -117,7 +118,7 @@ std::vector<CaseResult> impacts() {
     return checks.take();
 }
 
-/// A block below a fixed one, down along +x, hung on a bar of 1.8 m between stiff ends.
+/// A block suspended from a fixed one by a bar of 1.8 m with stiff ends; +x points down.
 Scene hung(double weight, double speed) {
     Scene scene = emptyScene(rigidRock, 0.0, 0.0);
     scene.materials[0].second.density = weight / gravity;
@@ -149,7 +150,7 @@ std::vector<CaseResult> suddenLoad() {
     return checks.take();
 }
 
-/// A bar of 2 m, one end in a fixed block, that a force along it, put on at once, makes ring.
+/// A bar of 2 m with one end in a fixed block. A body force along the bar, applied suddenly, makes it vibrate.
 Scene vibratingBar(double timeStep) {
     Scene scene = emptyScene(rigidRock, 0.0, 0.0);
     scene.blocks = {boxBlock("end", {-0.5, 0}, {0.01, 1})};
@@ -167,7 +168,7 @@ Scene vibratingBar(double timeStep) {
     return scene;
 }
 
-/// Frequency of the first mode, whose shape is a quarter of a sine at the nodes; the ends carry half a mass.
+/// Frequency of the first mode, whose shape at the nodes is a quarter of a sine wave; the end nodes have half a mass.
 double barFrequency() {
     const Results results = solve(vibratingBar(5e-6)).results;
     std::vector<double> q;
@@ -179,7 +180,8 @@ double barFrequency() {
                    std::sin(0.5 * std::numbers::pi * static_cast<double>(j) / 60.0);
         q.push_back(sum);
     }
-    // of q = q0·(1 − cos ωt) the second differences are a cosine, whose neighbours sum to 2·cos(ω·Δt) of it
+    // the second differences of q = q0·(1 − cos ωt) form a cosine: the sum of its neighbours is 2·cos(ω·Δt) times a
+    // value
     double above = 0.0, below = 0.0;
     const auto bend = [&](std::size_t i) { return q[i + 1] - 2.0 * q[i] + q[i - 1]; };
     for (std::size_t i = 2; i + 2 < q.size(); ++i) {

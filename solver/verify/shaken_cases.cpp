@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block on a slope that is shaken: sine and record, force on the body and motion
-// of the ground. A rigid block that sticks and slides is integrated for comparison.
+// A block on a slope under a sine wave and a record, as body acceleration and
+// as base acceleration. The motion of a rigid block with friction is integrated
+// for comparison.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -31,7 +32,7 @@ Table recordOfTheSine() {
     return record;
 }
 
-/// \param towards 1: positive down the dip, −1: up
+/// \param towards 1: positive values act down the dip; −1: up the dip
 Acceleration sineAcceleration(double towards) {
     Acceleration a;
     a.sine = shaking();
@@ -48,8 +49,8 @@ Acceleration recordAcceleration(double towards) {
 }
 
 struct Shaken {
-    double slid = 0.0;  // [m] down the slope
-    std::vector<double> ux;  // of every history row
+    double slid = 0.0;  // [m] slip down the slope
+    std::vector<double> ux;  // [m] in every history row
 };
 
 Shaken shake(const std::optional<Acceleration>& body, const std::optional<Acceleration>& base) {
@@ -60,9 +61,9 @@ Shaken shake(const std::optional<Acceleration>& body, const std::optional<Accele
     return {slidDown(solved, planeSlope), series(solved, "slider", 0)};
 }
 
-/// A rigid block under g and a horizontal acceleration a(t): normal force N = g cos α − a sin α, drive g sin α + a cos α
-/// down the slope; it starts to slide where the drive passes N·tan φ and stops where its velocity does. Up the slope
-/// it is held.
+/// Slip of a rigid block under gravity and a horizontal acceleration a(t) [m]. Per unit mass, the normal force is N = g
+/// cos α − a sin α, and the driving force down the slope is g sin α + a cos α. The block starts to slide when the
+/// driving force exceeds N·tan φ and stops when its velocity is zero. It does not slide up the slope.
 double slidRigid(double towards) {
     const double a = planeSlope * degree, mu = std::tan(friction * degree);
     const double dt = 1e-5;

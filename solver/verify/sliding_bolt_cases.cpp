@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bolts that slip on: friction along the whole length, or at one end only.
+// Bolts that keep slipping: with friction along the whole length, or at one end
+// only.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double tubeFriction = 54e3;  // [N/m]
 
-/// A friction tube of 2 m, 1.5 m of it in the fixed block, 0.5 m and the plate in the block that is pulled by 0.2 m.
+/// A friction tube of 2 m. 1.5 m of it are in the fixed block; 0.5 m and the plate are in the block that is pulled by
+/// 0.2 m.
 Scene frictionTube(PlateKind plate, double plateStrength) {
     Scene scene = twoBlocks(rigidRock, 1.5, 2.0);
     BoltType type = linearType(380e-6, 200e9);
@@ -43,7 +45,7 @@ Solved solveWithPlateForce(Scene scene) {
     return solve(std::move(scene));
 }
 
-/// Once a side slides, the length that is still in its hole is its first length less the opening.
+/// Once one side slides, the length that is still in its hole is the initial length minus the opening.
 void strongPlate(Checks& checks) {
     const Solved solved = solveWithPlateForce(frictionTube(PlateKind::Spring, 89e3));
     checks.relative("plate 89 kN: largest force [N]", reading(solved, "max joint force"), 81.0e3, 1e-2);
@@ -74,7 +76,7 @@ std::vector<CaseResult> splitSet() {
     return checks.take();
 }
 
-/// Force of the yielding anchor over its slip: 80 kN to 600 mm, then up to 100 kN at 700 mm.
+/// Force of the yielding anchor as a function of its slip [N]: 80 kN up to 600 mm, then rising to 100 kN at 700 mm.
 double anchorForce(double slip, double stiffness) {
     if (slip < 80e3 / stiffness) return stiffness * slip;
     return slip < 0.6 ? 80e3 : 80e3 + 20e3 * (slip - 0.6) / 0.1;
@@ -110,8 +112,8 @@ std::vector<CaseResult> roofex() {
         worst = std::max(worst, std::abs(force[i] - anchorForce(u, stiffness)) / 80e3);
     }
     checks.absolute("largest deviation from the curve, over 80 kN", slip.empty() ? NAN : worst, 0.0, 1e-2);
-    const double stretch = 2.2 / (123e-6 * 200e9) + 1e-9;  // [m/N] of the bar and the plate
-    // At 0.65 m: slip u = 0.65 − stretch·F on the rising piece F = 80 kN + 200 kN/m·(u − 0.6).
+    const double stretch = 2.2 / (123e-6 * 200e9) + 1e-9;  // [m/N] compliance of the bar and the plate
+    // At 0.65 m, the slip is u = 0.65 − stretch·F, on the rising part F = 80 kN + 200 kN/m·(u − 0.6).
     const double expected = (80e3 + 200e3 * 0.05) / (1.0 + 200e3 * stretch);
     checks.relative("force at an opening of 650 mm [N]", reading(solved, "last force"), expected, 1e-2);
     checks.relative("slip of the anchor [m]", most, 0.65 - stretch * expected, 1e-2);
@@ -123,7 +125,8 @@ std::vector<CaseResult> roofex() {
     return checks.take();
 }
 
-/// A block that falls at `speed` along +x is caught by a bar whose anchor in the fixed block gives way by `anchor`.
+/// A block that falls at `speed` along +x is caught by a bar. The law of the bar's anchor in the fixed block is
+/// `anchor`.
 Scene caught(double mass, double speed, const Anchor& anchor, double duration) {
     Scene scene = emptyScene(rigidRock, 0.0, 0.0);
     scene.materials[0].second.density = mass;
@@ -159,7 +162,8 @@ double mostSlip(const Solved& solved) {
     return solved.results.stages.empty() ? NAN : most;
 }
 
-/// ½·m·v² = (F − m·g)·slip: what falls and its further weight against a constant force.
+/// ½·m·v² = (F − m·g)·slip: the kinetic energy plus the work of gravity during the slip equals the work of the constant
+/// force F.
 double slipOf(double mass, double speed, double force) { return 0.5 * mass * speed * speed / (force - mass * gravity); }
 
 std::vector<CaseResult> constantSlip() {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which parts fail, in which order and at which force, must not depend on the size
-// of the step: each scene is run with its increments, with twice and with four
-// times as many.
+// The order in which parts fail, and the forces at which they fail, must not
+// depend on the size of the increments: each scene is run with its own
+// increments, and with twice and four times as many.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/paper_steel.h"
@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-/// A smooth bar whose cone ploughs from 78.45 kN on; the plate breaks at 90 kN.
+/// A smooth bar with a cone that starts to plough at 78.45 kN and a plate that fails at 90 kN.
 Scene coneBolt(int increments) {
     Scene scene = twoBlocks(rigidRock, 1.5, 2.3);
     BoltType type = linearType(232e-6, 200e9);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A slope of columns that topple onto one another and push its toe out. The
-// columns' limit equilibrium is computed for comparison.
+// A slope of columns that topple onto one another and push out its toe. The
+// limit equilibrium of the columns is computed for comparison.
 #include "solver/verify/bisection.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
@@ -19,19 +19,22 @@ namespace keyblock {
 namespace {
 
 constexpr double baseDip = 30.0 * degree, columnWeight = 25e3;  // [N/m³]
-constexpr double columnWidth = 10.0, baseRise = 1.0;  // [m] of a column; of its base over the next one's below
+constexpr double columnWidth = 10.0, baseRise = 1.0;  // [m]; `baseRise`: from one base to the next one upslope
 constexpr std::array<double, 16> heights{4,  8,  12, 16, 20, 24, 28, 32,
-                                         36, 40, 34, 28, 22, 16, 10, 4};  // [m] from the toe up
+                                         36, 40, 34, 28, 22, 16, 10, 4};  // [m] from the toe to the crest
 constexpr int columns = static_cast<int>(heights.size());
 constexpr double watched = 1.5;  // [s]
-constexpr double moving = 0.05;  // [m/s] then: what holds has come to rest but for a hundredth of this or less
+// [m/s] final speed above which a column counts as moving; columns of a stable slope are at least a hundred times
+// slower
+constexpr double moving = 0.05;
 
-/// Top of a column above the lowest base, square to the bases [m].
+/// Height of the top of a column above the lowest base, normal to the bases [m].
 double topOfColumn(int n) { return baseRise * n + heights[static_cast<std::size_t>(n)]; }
 
-/// Force that the toe needs from outside at a friction of `tangent`, over the unit weight (Goodman and Bray 1976). From
-/// the crest down each column hands on what would else topple it about its lower corner or let it slide, whichever is
-/// more; neighbours touch at the lower of their tops with friction passed, a toppling column rests on its corner.
+/// The external force that the toe needs at a coefficient of friction `tangent`, divided by the unit weight (Goodman
+/// and Bray 1976). From the crest down, each column passes on the force that prevents it from toppling about its lower
+/// corner or from sliding, whichever is larger. Neighbours touch at the lower of their tops, where friction is fully
+/// mobilised. A toppling column rests on its corner.
 double forceAtToe(double tangent) {
     const double s = std::sin(baseDip), c = std::cos(baseDip);
     double push = 0.0;
@@ -49,7 +52,7 @@ double forceAtToe(double tangent) {
     return push;
 }
 
-/// Friction at which the toe needs no force [°].
+/// Friction angle at which the toe needs no external force [°].
 double criticalAngle() {
     double low = 35.0, high = 42.0;
     while (high - low > 1e-6) {
@@ -59,7 +62,7 @@ double criticalAngle() {
     return 0.5 * (low + high);
 }
 
-/// The columns stand upright on steps that are fixed; gravity is turned by the dip of the bases instead.
+/// The columns are vertical and stand on fixed steps. Gravity is inclined by the dip of the bases instead.
 Scene slopeScene(double frictionAngle) {
     Scene scene = emptyScene(60e9, 0.25, frictionAngle);
     scene.analysis.gravity = {-gravity * std::sin(baseDip), -gravity * std::cos(baseDip)};
@@ -86,13 +89,13 @@ Scene slopeScene(double frictionAngle) {
     return scene;
 }
 
-/// What is missing in the energies of a stable slope at the end, over the largest of them. Its steep friction carries
-/// shear from the first step, and no energy must be released there that was never put in.
+/// Energy balance error of a stable slope at the end of the run, relative to the largest energy. At its high friction
+/// angle, joints carry shear from the first step on, and they must not release energy that was never supplied.
 double energyLeft(double frictionAngle) {
     return std::abs(solve(slopeScene(frictionAngle)).results.stages.back().health.balanceError);
 }
 
-/// The columns at the end; none where the run did not get there.
+/// The columns at the end of the run; empty if the run ended early.
 std::vector<BlockState> columnsAtEnd(double frictionAngle) {
     const Results results = solve(slopeScene(frictionAngle)).results;
     if (results.stages.empty() || results.stages.back().outcome != Outcome::Duration) return {};
@@ -100,7 +103,7 @@ std::vector<BlockState> columnsAtEnd(double frictionAngle) {
     return {all.end() - columns, all.end()};
 }
 
-/// 1 where the slope comes to rest, 0 where it continues to move.
+/// 1 if the slope comes to rest, 0 if it keeps moving.
 double stands(double frictionAngle) {
     const std::vector<BlockState> all = columnsAtEnd(frictionAngle);
     if (all.empty()) return std::nan("");
@@ -118,7 +121,8 @@ Way wayOf(const BlockState& column) {
     return moved > 0.1 ? Way::Slides : moved < 0.01 ? Way::Stands : Way::Neither;
 }
 
-/// Number of columns that move as limit equilibrium has it: the lowest three slide, the highest three stand.
+/// Number of columns that move as predicted by limit equilibrium: the lowest three slide, the highest three stand, and
+/// the others topple.
 double asExpected(double frictionAngle) {
     const std::vector<BlockState> all = columnsAtEnd(frictionAngle);
     int found = 0;
@@ -129,7 +133,7 @@ double asExpected(double frictionAngle) {
     return found;
 }
 
-/// Gravity is switched on and the motion watched; Shi's scheme takes the swing out of what holds.
+/// Applies gravity suddenly and follows the motion. Shi's scheme damps the oscillations of stable columns.
 std::vector<CaseResult> slope() {
     Checks checks("toppling slope");
     const double published = std::atan(0.7854) / degree;

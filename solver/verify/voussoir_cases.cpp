@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A voussoir beam: a slab that has cracked in the middle and at both abutments
-// and is stable as an arch. Requirements of statics are checked closely, the thrust to
-// finite elements that share nothing with the program. The rule of the textbooks
-// gives nearly twice that thrust, from a depth of contact that is chosen and not
-// found (theory, "Voussoir beam"); it is computed here for comparison.
+// A voussoir beam: a slab that has cracked at mid-span and at both abutments
+// and is stable as an arch. Equilibrium is checked with a tight tolerance, and
+// the thrust is checked against an independent finite-element analysis. The
+// rule in textbooks gives nearly twice that thrust, because it assumes a depth
+// of contact instead of computing it (theory, "Voussoir beam"). It is evaluated
+// here for comparison.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -25,7 +26,7 @@ constexpr double span = 10.0, depth = 0.5;  // [m]
 constexpr double beamModulus = 10e9;  // [Pa]
 constexpr double beamWeight = 25e3;  // [N/m³]
 
-/// γ·t·s²/8: what thrust and arm must make up [N m].
+/// γ·t·s²/8: the moment that thrust × arm must balance [N m].
 double momentOf(double weight) { return weight * depth * span * span / 8.0; }
 
 void addWall(Scene& scene, const std::string& name, double from, const std::string& joint) {
@@ -44,12 +45,12 @@ void addHalf(Scene& scene, const std::string& name, double from, int rows) {
     scene.blocks.push_back(half);
 }
 
-/// Half a beam between an abutment that it does not slide on and a smooth wall in place of its mirror image, or both
-/// halves. \param weight unit weight [N/m³]
+/// Half of a beam between an abutment with friction and a smooth wall that replaces the mirror image, or the whole
+/// beam. \param weight unit weight [N/m³]
 Scene beamScene(int rows, double weight, bool whole) {
     Scene scene = emptyScene(beamModulus, 0.25, 60.0);
     scene.analysis.gravity = {0.0, -gravity};
-    scene.analysis.tolerance = 1e-8;  // what the digits of the glue allow
+    scene.analysis.tolerance = 1e-8;  // as tight as round-off in the bonds between cells permits
     scene.materials[0].second.density = weight / gravity;
     scene.materials.push_back({"wall", {2700.0, rigidRock, 0.25}});
     JointMaterial smooth;
@@ -66,7 +67,7 @@ Scene beamScene(int rows, double weight, bool whole) {
     return scene;
 }
 
-/// What goes through the contacts at a face: its sum [N], and the height at which it acts [m].
+/// Force through the contacts at a face: its sum [N] and the height at which it acts [m].
 struct FaceForce {
     double thrust = 0.0, height = 0.0;
 };
@@ -95,8 +96,9 @@ Arch archOf(const Scene& scene) {
     return {middle.thrust, middle.height - abutment.height};
 }
 
-/// Contact over a share n of the depth, under stress that falls from f to 0: thrust ½f·n·t and arm t·(1 − 2n/3), less
-/// what the arch loses as it shortens; n such that f is least (Brady and Brown).
+/// Thrust according to the textbook rule (Brady and Brown). Contact extends over a fraction n of the depth, and the
+/// stress decreases from f to 0. The thrust is ½f·n·t, and the arm is t·(1 − 2n/3) minus the effect of the shortening
+/// of the arch. The rule takes the n for which f is smallest.
 double thrustByRule() {
     const auto archFor = [](double n) {
         const double first = depth * (1.0 - 2.0 * n / 3.0), rise = 8.0 * first * first / (3.0 * span);
@@ -113,13 +115,15 @@ double thrustByRule() {
     return least[1];
 }
 
-/// Cells see contact in steps of their size h, so the arm to ½·h at the worst, and the thrust to ½·h over the arm.
+/// Cells of size h resolve the contact in steps of h, so the error of the arm is up to ½·h and the relative error of
+/// the thrust up to ½·h/arm.
 double resolved(int rows) { return 0.5 * depth / rows / voussoirReference.arm; }
 
 std::vector<CaseResult> voussoirBeam() {
     Checks checks("voussoir beam");
     for (const int rows : {4, 8, 16}) {
-        const double share = 0.1;  // of the weight: the sag, which adds to the thrust, is a thousandth of the arm
+        // a tenth of the weight, so that the sag, which increases the thrust, is only a thousandth of the arm
+        const double share = 0.1;
         const Arch arch = archOf(beamScene(rows, share * beamWeight, false));
         checks.relative("thrust over weight, " + std::to_string(rows) + " rows of cells, on the reference's",
                         arch.thrust / share / voussoirReference.thrust, 1.0, resolved(rows));

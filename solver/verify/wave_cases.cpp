@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A wave in a bar of cells that meets a joint: what passes and what comes back.
-// Both ends of the bar let waves out, so what is steady is the joint's doing.
+// A wave in a bar of cells meets a joint, which transmits one part and reflects
+// the other. Both ends of the bar absorb waves, so the steady state depends
+// only on the joint.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -22,22 +23,23 @@ namespace {
 constexpr double waveModulus = 10e9, waveDensity = 2500.0;  // [Pa], [kg/m³]
 constexpr double waveLength = 10.0;  // [m]
 constexpr double cell = waveLength / 20.0;  // [m]
-constexpr double waveStress = 1e3;  // [Pa] of the incident wave
-constexpr double squeeze = 1e6;  // [Pa] that keeps the joint closed
+constexpr double waveStress = 1e3;  // [Pa] amplitude of the incident wave
+constexpr double squeeze = 1e6;  // [Pa] in-situ compression that keeps the joint closed
 constexpr int periods = 4;
-constexpr int stepsPerPeriod = 500;  // η 0.0126: Shi's scheme takes η/4 per radian, 1 % of what passes half the bar
+// η = 0.0126: Shi's scheme reduces the amplitude by η/4 per radian, which is 1 % over half the bar
+constexpr int stepsPerPeriod = 500;
 
 double period() { return waveLength / std::sqrt(waveModulus / waveDensity); }
 
-/// Displacement of the incident wave, σ/(Z·ω) [m].
+/// Displacement amplitude of the incident wave, σ/(Z·ω) [m].
 double incident() {
     const double omega = 2.0 * std::numbers::pi / period();
     return waveStress / (std::sqrt(waveModulus * waveDensity) * omega);
 }
 
-/// Twice the incident wave as a pressure on the end: the dashpot there takes half.
+/// Twice the incident wave as a pressure on the end, because the dashpot there absorbs half of it.
 Load source() {
-    constexpr int rows = 60;  // a period
+    constexpr int rows = 60;  // per period
     Load load;
     load.along = {Point(0.0, 0.0), Point(0.0, cell)};
     load.pressure = 2.0 * waveStress;
@@ -57,7 +59,8 @@ Stage waveStage() {
     return stage;
 }
 
-/// A bar one wave long with a joint of stiffness K·Z·ω in its middle, under stress in situ that its ends hold.
+/// A bar one wavelength long with a joint of stiffness K·Z·ω in its middle. Supports at its ends balance the in-situ
+/// stress.
 Scene barScene(double k) {
     Scene scene = emptyScene(waveModulus, 0.0, 30.0);
     scene.materials[0].second.density = waveDensity;
@@ -87,7 +90,7 @@ Scene barScene(double k) {
     return scene;
 }
 
-/// Half of what a monitor swings through in the last period, over the incident wave.
+/// Displacement amplitude at a monitor in the last period, divided by that of the incident wave.
 double swing(const Solved& solved, const std::string& monitor) {
     const std::vector<double> u = series(solved, monitor);
     double low = INFINITY, high = -INFINITY;
@@ -99,8 +102,9 @@ double swing(const Solved& solved, const std::string& monitor) {
     return 0.5 * (high - low) / incident();
 }
 
-/// The stress k·[u] is the same on both sides. With e^(iωt) and incident 1 the wave behind the joint is
-/// T = 2K/(2K + i), |T| = 2K/√(1 + 4K²) (Pyrak-Nolte, Myer and Cook 1990), and before it 1 + (1 − T) moves.
+/// The stress k·[u], with [u] the displacement jump, is the same on both sides of the joint. For an incident wave
+/// e^(iωt), the wave behind the joint is T = 2K/(2K + i) with |T| = 2K/√(1 + 4K²) (Pyrak-Nolte, Myer and Cook 1990),
+/// and the motion in front of it is 1 + (1 − T).
 std::vector<CaseResult> jointInWave() {
     Checks checks("joint in a wave");
     for (const auto& [k, text, published] : {std::tuple{0.5, "0.5", 0.7071}, {1.0, "1", 0.8944}}) {
