@@ -22,7 +22,7 @@ namespace keyblock {
 namespace {
 
 constexpr double rimOfRoom = 12.0;  // margin of a fitted view [px]
-constexpr double stepOfFitted = 0.08;  // fraction of its extent by which a fitted view grows at least
+constexpr double stepOfFitted = 0.08;  // smallest growth of a fitted view, as a fraction of its extent
 constexpr double reachOfPick = 6.0;  // [px]
 
 }  // namespace
@@ -63,8 +63,8 @@ void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
     sceneChanged();
 }
 
-/// A view that was fitted automatically grows in steps with the picture, so that nothing that moves away
-/// is hidden by the legend. \return true if it grew.
+/// A view that was fitted automatically grows in steps with the picture, so that the legend does not hide parts that
+/// move away. \return true if it grew.
 bool Canvas::growFitted() {
     if (!picture_ || !kept_ || !fitsAlone_) return false;
     const Box &shown = picture_->window, &kept = *kept_;
@@ -209,7 +209,7 @@ void Canvas::renderOwed() {
     renderNow();
 }
 
-/// Applies all changes since the last call at once, so that ten wheel steps cost one picture.
+/// Applies all changes since the last call at once, so that ten wheel steps need only one redraw.
 void Canvas::renderNow() {
     if (!section_ || !isVisible()) return;
     const ViewColours colours = viewColoursOf(themes_.current(), style_.drawing);

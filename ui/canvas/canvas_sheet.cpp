@@ -75,7 +75,7 @@ void CanvasSheet::paintHint(QPainter& painter) const {
     painter.drawText(middle.translated(0.0, 28.0), Qt::AlignCenter, canvas_.hintText_);
 }
 
-/// On a panel, so that it is readable over any background.
+/// Paints the hint on a panel, so that it is readable over any background.
 void CanvasSheet::paintHintAside(QPainter& painter) const {
     const Theme& theme = canvas_.themes_.current();
     const QFont title = screenFont(12, true), details = screenFont(11);

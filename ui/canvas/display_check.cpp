@@ -17,7 +17,7 @@ struct DisplayTexts {
     Q_DECLARE_TR_FUNCTIONS(DisplayCheck)
 };
 
-/// A context as the section needs it, on an off-screen surface.
+/// Creates an OpenGL context like that of the section on an off-screen surface. \return an error text if this fails.
 std::optional<QString> tryContext() {
     QOpenGLContext context;
     context.setFormat(sectionFormat());

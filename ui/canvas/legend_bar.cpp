@@ -22,14 +22,14 @@ namespace {
 
 constexpr double barTitleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, barNoteRow = 15.0;  // [px]
 constexpr double openerRoom = 13.0, tip = 8.0;  // [px]
-constexpr int tickSize = 11, barNoteSize = 11;  // of the fonts [px]
+constexpr int tickSize = 11, barNoteSize = 11;  // font sizes [px]
 
 struct BarTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
 
-/// The range that the colours span.
+/// Text that describes the range of the colours.
 QString scaleText(const LegendBar& bar) {
     const QString clipped = bar.clips() ? BarTexts::tr(" (extreme 2 % clipped)") : QString();
     switch (bar.scale.of) {
@@ -40,7 +40,7 @@ QString scaleText(const LegendBar& bar) {
     return {};
 }
 
-/// The range of this frame, with the sign convention on the same line if both fit.
+/// Notes below the bar: the range of this frame, with the sign convention on the same line if both fit.
 QStringList notesOf(const LegendBar& bar, double width) {
     QStringList notes;
     const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
@@ -58,7 +58,7 @@ QStringList notesOf(const LegendBar& bar, double width) {
     return notes << scaleText(bar);
 }
 
-/// With a triangle at each end that has values beyond it.
+/// Outline of the bar. It has a triangle at each end beyond which there are values.
 QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double to) {
     QPolygonF outline;
     outline << at + QPointF(from, 0.0) << at + QPointF(to, 0.0);
@@ -68,7 +68,7 @@ QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double
     return outline;
 }
 
-/// A small arrow: a click opens the scale settings. \param end its right end, at half its height
+/// Paints a small arrow; a click on it opens the scale settings. \param end right end of the arrow, at half its height
 void paintOpener(QPainter& painter, const Theme& theme, const QPointF& end) {
     painter.save();
     painter.setPen(Qt::NoPen);
@@ -90,10 +90,11 @@ void fillBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const 
 
 struct LimitLabel {
     QString text;
-    double place = 0.0, left = 0.0;  // of its tick, and its start [px]
+    double place = 0.0, left = 0.0;  // x of its tick, and left edge of the text [px]
 };
 
-/// Pushes labels apart, to the right and then back from the end of the bar. True if each is still over its tick.
+/// Moves overlapping labels apart, to the right and then back from the end of the bar. \return true if each label is
+/// still over its tick.
 bool spread(std::vector<LimitLabel>& labels, double width) {
     double free = 0.0;
     for (LimitLabel& label : labels) {
@@ -113,7 +114,8 @@ bool spread(std::vector<LimitLabel>& labels, double width) {
     });
 }
 
-/// Limits with their names, else the last ones as numbers only, else those that fit from the left.
+/// Labels of the limits. If they do not all fit with their names, the last ones are shown as numbers only; if that is
+/// not enough, the last ones are omitted.
 std::vector<LimitLabel> limitLabels(const LegendBar& bar, double from, double to, double width) {
     std::vector<std::pair<double, std::string>> limits = bar.limits;
     std::sort(limits.begin(), limits.end(), [&](const auto& a, const auto& b) {

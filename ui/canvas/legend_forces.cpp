@@ -21,7 +21,7 @@ namespace keyblock {
 namespace {
 
 constexpr double forceTitleRow = 22.0, forceRow = 19.0, noteRow = 15.0;  // [px]
-constexpr int noteSize = 11;  // of the font [px]
+constexpr int noteSize = 11;  // font size [px]
 
 struct ForceTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
@@ -37,7 +37,7 @@ QString nameOf(ContactKind kind) {
     return {};
 }
 
-/// Lines not longer than `width`, broken between words.
+/// Breaks the text between words into lines not longer than `width`.
 QStringList broken(const QString& note, double width) {
     const QFontMetricsF metrics(screenFont(noteSize));
     QStringList lines{QString()};
@@ -54,7 +54,8 @@ QString beginning(QString note) {
     return note;
 }
 
-/// Crosses have the text colour of the theme, which is not always dark.
+/// Notes below the entry. The text does not name the colour of compression crosses: it is the text colour of the theme,
+/// which is not always dark.
 QStringList notesOf(const ArrowField& field, double width) {
     const bool isCross = !field.marks.empty() && field.marks.front().shape != ArrowShape::Arrow;
     QStringList notes;

@@ -23,12 +23,13 @@ struct LegendTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 
-constexpr double legendInset = 10.0, legendPadding = 13.0, width = legendExtent - legendInset;  // [px]
-constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
-constexpr double leastNarrow = 260.0;  // down to here the colour bars fit below the section [px]
-constexpr double leastBeside = 400.0;  // from here they fit next to the scale bar, below it they are above it [px]
+constexpr double inset = 10.0, padding = 13.0, width = legendExtent - inset;  // [px]
+constexpr double leastCanvas = 480.0;  // [px] on a narrower canvas the legend would hide the section
+constexpr double leastNarrow = 260.0;  // [px] smallest width at which the colour bars fit below the section
+// [px] from this width on, the colour bars fit next to the scale bar; on a narrower canvas they are above it
+constexpr double leastBeside = 400.0;
 constexpr double scaleBarRoom = 42.0;  // [px]
-constexpr double shareOfNarrow = 0.4;  // of the height, at most
+constexpr double shareOfNarrow = 0.4;  // largest fraction of the canvas height on a narrow canvas
 
 struct Item {
     double height = 0.0;  // [px]
@@ -41,7 +42,7 @@ QString deformationText(double factor) {
     return LegendTexts::tr("Deformation magnified ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
-/// Colour bars, and the entries of arrows and contact forces.
+/// The colour bars, and the entries of arrows and contact forces.
 std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner) {
     const SectionPicture& picture = content.picture;
     std::vector<Item> items;
@@ -81,7 +82,7 @@ std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
     return items;
 }
 
-constexpr double between = 20.0, above = 9.0, below = 7.0;  // two items, and at the ends [px]
+constexpr double between = 20.0, above = 9.0, below = 7.0;  // [px] space between two items, and at the ends
 
 double heightOf(const std::vector<Item>& items) {
     double height = above + below - between;
@@ -91,7 +92,7 @@ double heightOf(const std::vector<Item>& items) {
 
 bool isNarrow(const QSizeF& canvas) { return canvas.width() < leastCanvas; }
 
-/// Those that fit, from the top; on a narrow canvas only the colour bars.
+/// The items that fit, from the top; on a narrow canvas only the colour bars.
 std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     if (canvas.width() < leastNarrow) return {};
     std::vector<Item> items = itemsOf(theme, content);

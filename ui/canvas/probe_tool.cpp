@@ -35,7 +35,7 @@ void Probe::setOn(bool on) {
     if (on) before_ = canvas_.tool();
     canvas_.setTool(on ? this : std::exchange(before_, nullptr));
     if (on) {
-        canvas_.installEventFilter(this);  // called before filters installed earlier, for Esc
+        canvas_.installEventFilter(this);  // for Esc: the filter that was installed last is called first
         canvas_.setFocus();
     }
     Q_EMIT switched(on);
@@ -95,7 +95,7 @@ void Probe::showMenu(const Pin& pin, const QPoint& global) {
     menu->popup(global);
 }
 
-/// Esc ends the probe; flags have a menu with any tool.
+/// Esc ends the probe. The menus of flags are available with any tool.
 bool Probe::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (on_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

@@ -20,11 +20,11 @@ constexpr double leastLength = 58.0, height = 36.0, scaleInset = 12.0, scalePadd
 
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 
-/// A round length of suitable size.
-struct BarMeasure {
+/// The length of the scale bar, which is a round number that suits the scale.
+struct Measure {
     double pixels = 0.0;
     QString middle, last;
-    double half = 0.0;  // of the last number without its unit [px]
+    double half = 0.0;  // [px] half the width of the last number without its unit
 
     explicit BarMeasure(const CanvasMap& map) {
         const double metres = roundHalvable(leastLength / map.pixelsPerMetre());
@@ -37,7 +37,7 @@ struct BarMeasure {
     }
 };
 
-/// Four pieces, one of them hollow.
+/// Paints a bar of four pieces, one of them hollow.
 void paintBar(QPainter& painter, const Theme& theme, const QPointF& at, double length) {
     painter.setPen(QPen(theme.text, 1.0));
     for (int i = 0; i < 4; ++i) {

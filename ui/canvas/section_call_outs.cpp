@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t mostEvents = 6, mostMoved = 3;
 constexpr double ribbonGap = 8.0, pixelsPerKn = 0.195, leastRoom = 9.0, usualRoom = 45.0;  // [px]
 constexpr double hatchEach = 0.1;  // [m]
-constexpr double leastForce = 50.0;  // shown [N]
+constexpr double leastForce = 50.0;  // [N] smallest force shown
 
 struct CallOutTexts {
     Q_DECLARE_TR_FUNCTIONS(SectionPainter)
@@ -36,7 +36,7 @@ QPolygonF polygonOf(const std::vector<Point>& points) {
     return polygon;
 }
 
-/// Lines across the band, as many as fit.
+/// Draws as many lines across the band as fit.
 void hatch(QPainter& painter, const RibbonShape& shape, const std::vector<double>& s, double scale) {
     const double each = std::max(hatchEach, 4.0 / scale);
     double next = s.front() + each;
@@ -111,7 +111,7 @@ void SectionPainter::callOutRibbon(const RibbonShape& shape) {
     callOuts_.push_back(limit);
 }
 
-/// The newest failures, and before them the marked block.
+/// Adds call-outs of the marked block and then of the newest failures.
 void SectionPainter::callOutEvents() {
     for (const BlockShape& block : picture_.blocks)
         if (highlighted_ && block.block == highlighted_->block)

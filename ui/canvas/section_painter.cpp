@@ -93,7 +93,7 @@ LegendContent SectionPainter::legendContent() const {
     return {picture_, contacts_ ? &*contacts_ : nullptr, kindsOf(marks_), highlighted_.has_value(), map_.pixelsPerMetre()};
 }
 
-/// Panels are placed first and painted over everything.
+/// Panels are placed first and painted last, over everything else.
 void SectionPainter::keepOffPanels() {
     for (const QRectF& panel : panels()) placement_.keepOff(grown(boxOf(panel), 4.0));
     for (const QRectF& widget : covered_) placement_.keepOff(grown(boxOf(widget), 4.0));
@@ -141,7 +141,7 @@ void SectionPainter::paintHighlighted(QPainter& painter) const {
     }
 }
 
-/// Dashes within the bar where its force is compression, as colours show only the magnitude.
+/// Paints dashes within the bar where its force is compressive, because the colours show only the magnitude.
 void SectionPainter::paintDashes(QPainter& painter) const {
     if (!picture_.boltLegend || picture_.boltLegend->dashed.empty()) return;
     QPen pen(theme_.markCasing, std::max(1.2, 0.36 * shankWidth(picture_, map_.pixelsPerMetre())));
@@ -164,7 +164,7 @@ void SectionPainter::paintDashes(QPainter& painter) const {
     }
 }
 
-/// A thin dashed line where the steel is lost.
+/// Paints a thin dashed line where the steel is lost.
 void SectionPainter::paintBroken(QPainter& painter) const {
     QPen pen(theme_.text2, 1.0);
     pen.setDashPattern({4.0, 3.0});

@@ -53,7 +53,7 @@ void SectionWidget::render(const Point& centre, double pixelsPerMetre, const Sec
     if (size.isEmpty() || !context_.makeCurrent(&surface_)) return;
     window_->SetSize(size.width(), size.height());
     view_.look(centre, 1.0 / (pixelsPerMetre * ratio), Point(width(), height()) * ratio, picture);
-    // As VTK expects: otherwise pieces of one line clip each other.
+    // VTK expects this; otherwise pieces of the same line would clip each other.
     context_.functions()->glDepthFunc(GL_LEQUAL);
     window_->Render();
     readPixels(size);
@@ -69,7 +69,7 @@ void SectionWidget::readPixels(const QSize& size) {
     shown.ActivateReadBuffer(0);
     context_.functions()->glReadPixels(0, 0, size.width(), size.height(), blueFirst, wordsOfFourBytes, image_.bits());
     window_->GetState()->PopReadFramebufferBinding();
-    image_ = std::move(image_).mirrored();  // OpenGL counts rows from below
+    image_ = std::move(image_).mirrored();  // OpenGL counts rows from the bottom
 }
 
 void SectionWidget::paintEvent(QPaintEvent* event) {

@@ -35,7 +35,7 @@ QComboBox* addBox(QWidget& row, const char* name, const QString& title) {
     return box;
 }
 
-/// "B1 · axial force" for B1.axial_force.
+/// The name as it is shown, for example "B1 · axial force" for B1.axial_force.
 QString shownName(const std::string& name) {
     QString shown = QString::fromStdString(name);
     const int dot = shown.lastIndexOf('.');

@@ -26,11 +26,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr int bandRoom = 46;  // [px] above the curves
-constexpr double zoneTop = 16.0, zoneHeight = 26.0;  // within it
+constexpr int bandRoom = 46;  // [px] height of the band above the curves
+constexpr double zoneTop = 16.0, zoneHeight = 26.0;  // [px] within the band
 constexpr int leastBetween = 150;  // [ms] between two redraws during a run
 constexpr std::size_t manyMarks = 24;
-constexpr std::size_t mostRead = 240;  // frames of a stored run, evenly spread
+constexpr std::size_t mostRead = 240;  // frames read from a stored run, evenly spaced
 constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
 
 struct PanelChoice {
@@ -48,7 +48,7 @@ const std::vector<PanelChoice>& panelChoices() {
     return all;
 }
 
-/// Short names fit next to the panels.
+/// Shortens the title so that it fits next to the panel.
 void shorten(ChartPanel& panel) {
     if (!panel.bolts) return;
     const std::size_t unit = panel.title.rfind(" (");
@@ -62,9 +62,9 @@ struct BoltStrip::Past {
     BoltReach reach;
     bool read = false;
     int held = -1;  // the most loaded bolt, unless another is selected
-    bool ofAll = false;  // of the whole run
+    bool ofAll = false;  // true if the reach covers the whole run
 
-    /// Reads frames of the store, once.
+    /// Reads frames of a stored run, but only once.
     void readStored(std::size_t count) {
         if (std::exchange(read, true)) return;
         const std::size_t some = std::min(count, mostRead);
@@ -158,7 +158,8 @@ void BoltStrip::fillMenu(QMenu& menu) {
     }
 }
 
-/// During a run this is called a few times a second: axes and curves are recreated each time.
+/// Recreates axes and curves. During a run it is called more often than the diagram needs to be redrawn, so calls are
+/// delayed and combined.
 void BoltStrip::make() {
     if (cursor_.isLive() && made_.isValid() && made_.elapsed() < leastBetween) {
         if (!later_.isActive()) later_.start(leastBetween - static_cast<int>(made_.elapsed()));
@@ -271,7 +272,7 @@ void BoltStrip::paintBlocks(QPainter& painter) const {
                      tr("head"));
 }
 
-/// The marks of the bolt, thinned where they would overlap; marks of failures stay.
+/// Paints the marks of the bolt. Marks that would overlap are left out, except those of failures.
 void BoltStrip::paintBand(QPainter& painter) const {
     const double y = zoneTop + 0.5 * zoneHeight, left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
     painter.setPen(QPen(themes_.current().text3, 2.0));
@@ -283,7 +284,7 @@ void BoltStrip::paintBand(QPainter& painter) const {
         paintMark(painter, mark.kind, {view_->xOf(mark.s), y}, {1.0, 0.0}, small, theme);
 }
 
-/// Lines through all curves at the slip fronts; dotted lines at joints.
+/// Paints lines through all curves at the slip fronts and dotted lines at joints.
 void BoltStrip::paintFronts(QPainter& painter) const {
     const Theme& theme = themes_.current();
     painter.setPen(QPen(theme.text, 1.2));

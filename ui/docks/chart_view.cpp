@@ -23,10 +23,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr int leastWidth = 140, leastHeight = 62;  // [px] of a readable chart
-constexpr double leastPanel = 38.0;  // [px] of height; panels that would get less are omitted, the last first
+constexpr int leastWidth = 140, leastHeight = 62;  // [px] smallest size of a readable chart
+constexpr double leastPanel = 38.0;  // [px] height; panels that would get less are omitted, the last first
 constexpr double pixelsPerTick = 17.0;
-constexpr double axisRoom = 24.0;  // [px] of height, for the labels of the axis of abscissas
+constexpr double axisRoom = 24.0;  // [px] height of the labels of the x axis
 
 Colour mixed(const QColor& a, const QColor& b, double share) {
     const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(std::lround(from + share * (to - from))); };
@@ -126,7 +126,7 @@ void ChartView::redraw() {
     Chart chart = fittingChart(*chart_, height());
     const double perPanel = (height() - axisRoom) / static_cast<double>(chart.panels.size());
     layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
-    for (ChartPanel& panel : chart.panels)  // no more points than pixels show
+    for (ChartPanel& panel : chart.panels)  // no more points than the pixels can resolve
         for (ChartCurve& curve : panel.curves)
             curve = thinned(curve, static_cast<std::size_t>(std::max(400, 3 * width())));
     const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
@@ -143,7 +143,7 @@ void ChartView::paintEvent(QPaintEvent*) {
     if (now_) paintNow(painter);
 }
 
-/// Text that says why there is no chart, or that there is no room for it.
+/// Paints a text that says why there is no chart or that there is no room for it.
 void ChartView::paintMessage(QPainter& painter) const {
     const bool isShort = chart_ && !chart_->panels.empty();
     painter.fillRect(rect(), themes_.current().panel);
@@ -153,7 +153,8 @@ void ChartView::paintMessage(QPainter& painter) const {
                      isShort ? tr("Enlarge this panel to see the chart.") : message_);
 }
 
-/// A dot on the curve with its value, and hair lines to the axes; a line through all panels where time is the axis.
+/// Paints a dot on the curve with its value and hairlines to the axes. If the x axis is time, it paints a line through
+/// all panels.
 void ChartView::paintNow(QPainter& painter) const {
     const Theme& theme = themes_.current();
     if (place_.panels.empty()) return;
@@ -236,7 +237,7 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
-/// One block of columns per curve, one below the other, for spreadsheets.
+/// The chart as text for spreadsheets: one block of columns per curve, one below the other.
 QString ChartView::table() const {
     QString text;
     for (const ChartPanel& panel : chart_->panels)

@@ -22,7 +22,7 @@ struct CurveTexts {
 
 constexpr double roundOff = 1e-9;
 
-/// The first curve in one piece: it is split where values are missing.
+/// Joins the pieces of the first curve, which is split where values are missing.
 void addPieces(CurveEntry& entry, const ChartPanel& panel) {
     for (const ChartCurve& piece : panel.curves) {
         if (piece.style != panel.curves.front().style) break;
@@ -115,7 +115,7 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
 
 namespace {
 
-/// The longer axis of the two runs.
+/// Extends the axis of one run so that it also covers the other run.
 std::vector<StageSpan> lengthened(std::vector<StageSpan> axis, const std::vector<StageSpan>& other) {
     for (const StageSpan& span : other) {
         StageSpan& last = axis.back();

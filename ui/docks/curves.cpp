@@ -26,9 +26,9 @@ namespace {
 
 constexpr int mostOfChoice = 320;  // [px]
 constexpr int shortestWait = 300, longestWait = 5000;  // [ms] between two readings of a run in progress
-constexpr int readingShare = 12;  // one part in so many of the time is spent on reading
+constexpr int readingShare = 12;  // reading takes at most one part in this many of the time
 
-/// Index of the point at `x`, or the last before it. \pre rising, not empty.
+/// Index of the last point that is not beyond `at`. \pre `x` increases and is not empty.
 std::size_t indexAt(const std::vector<double>& x, double at) {
     const auto after = std::upper_bound(x.begin(), x.end(), at);
     return after == x.begin() ? 0 : static_cast<std::size_t>(after - x.begin()) - 1;
@@ -40,7 +40,7 @@ double valueAt(const std::vector<double>& x, const std::vector<double>& y, doubl
     return y[i] + (y[i + 1] - y[i]) * std::clamp((at - x[i]) / (x[i + 1] - x[i]), 0.0, 1.0);
 }
 
-/// The last row or frame that is not later; none before the first.
+/// The last row or frame that is not later than `head`; none before the first.
 template <typename Rows>
 std::optional<std::size_t> placeOf(const Rows& rows, const FrameHead& head) {
     const auto places = std::views::iota(std::size_t{0}, rows.size());
@@ -166,7 +166,7 @@ void Curves::read() {
     });
 }
 
-/// A reading takes longer with every row, so it is done less often.
+/// Readings take longer as rows are added, so the interval between them increases with their duration.
 void Curves::take(std::shared_ptr<const CurveReading> reading, int took) {
     read_ = std::move(reading);
     fillChoice();
@@ -186,14 +186,14 @@ void Curves::fillChoice() {
     for (const QString& name : names) choice_->addItem(QString(), name);
 }
 
-/// Entries keep their names when the units change, so that the same one stays chosen.
+/// Updates the captions to the units shown. The data of the entries stay the same, so the choice does not change.
 void Curves::captionChoice() {
     for (int i = 0; i < choice_->count(); ++i)
         choice_->setItemText(i, QString::fromStdString(shownTitle(choice_->itemData(i).toString().toStdString(),
                                                                   display_.numbers())));
 }
 
-/// The last entry of the list of choices.
+/// True if the choice is the last entry of the list, which offers any quantities for the axes.
 bool Curves::choosesAxes() const {
     return axes_ && choice_->count() > 0 && choice_->currentIndex() + 1 == choice_->count();
 }

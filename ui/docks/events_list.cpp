@@ -119,7 +119,8 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
             return where;
         }
         case Force: {
-            const double force = rowOf(event.kind).isOfShear ? std::abs(event.shearForce) : event.axialForce;  // a shear force is unsigned here
+            // a shear force is unsigned here
+            const double force = rowOf(event.kind).isOfShear ? std::abs(event.shearForce) : event.axialForce;
             const ShownUnit unit = display_.shown("N");
             return force == 0.0 ? QString() : Display::number(unit.factor * force, 4) + ' ' + unit.symbol;
         }
@@ -128,7 +129,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
     }
 }
 
-/// The chain of causes from the load to this event, one per line.
+/// The chain of causes from the load to this event, with one cause per line.
 QString EventsModel::chainOf(std::size_t number) const {
     const std::vector<Event>& events = cursor_.run()->eventList();
     QStringList lines;
@@ -193,7 +194,7 @@ EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor&
 
 std::size_t EventsList::count() const { return cursor_.run() ? cursor_.run()->eventList().size() : 0; }
 
-/// Stays at the end if it was there before.
+/// Adds the new events. A list that showed its end during a run still shows its end afterwards.
 void EventsList::grow() {
     const QScrollBar* bar = view_->verticalScrollBar();
     const bool atEnd = bar->value() >= bar->maximum();

@@ -187,7 +187,7 @@ void HealthStrip::paintRow(QPainter& painter, const HealthRow& row, double y) co
                      limitText(row));
 }
 
-/// The last values as a line below the dotted limit, with a dot at the newest.
+/// Paints the last values as a line below the dotted limit, with a dot at the newest value.
 void HealthStrip::paintCourse(QPainter& painter, const HealthRow& row, const QRectF& box) const {
     const Theme& theme = themes_.current();
     const std::size_t most = static_cast<std::size_t>(box.width());

@@ -17,7 +17,7 @@ PinLegend::PinLegend(const Themes& themes, Pins& pins, QWidget* parent)
     setAccessibleName(tr("Pins"));
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(4);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // many pins do not widen the dock
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // so that many pins do not widen the dock
     connect(&pins, &Pins::changed, this, &PinLegend::fill);
     connect(&themes, &Themes::changed, this, &PinLegend::fill);
     fill();
@@ -37,7 +37,7 @@ void PinLegend::fill() {
         chip->setIcon(themes_.icon("close"));
         chip->setIconSize({10, 10});
         chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        chip->setLayoutDirection(Qt::RightToLeft);  // the cross behind the name
+        chip->setLayoutDirection(Qt::RightToLeft);  // puts the cross to the right of the name
         chip->setProperty("framed", true);
         chip->setFixedHeight(22);
         const int number = pin.number;

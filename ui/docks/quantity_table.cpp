@@ -26,12 +26,12 @@ QString numberOf(const Measurement& measurement) {
     return measurement.value ? Display::number(*measurement.value, 5) : QStringLiteral("–");
 }
 
-/// A share of the expected value in percent; the value itself where 0 is expected.
+/// A deviation or tolerance in percent of the expected value; as a number if the expected value is 0.
 QString shareText(double value, bool isRelative) {
     return isRelative ? Display::number(100.0 * value, 2) + QStringLiteral(" %") : Display::number(value, 3);
 }
 
-/// Whether no stage was interrupted; only then can expected values be checked.
+/// True if no stage was interrupted; only then can expected values be checked.
 bool isWholeRun(const std::vector<StageRecord>& stages) {
     return std::ranges::all_of(stages, [](const StageRecord& stage) {
         return stage.ended && (endedAsPlanned(stage.result.outcome) || endedUnstable(stage.result.outcome));
@@ -83,7 +83,7 @@ void QuantityTable::showEvent(QShowEvent* event) {
     read();
 }
 
-/// Reads only finished runs: before, most quantities are not available.
+/// Reads only finished runs, because most quantities are not available before the end.
 void QuantityTable::read() {
     if (!isVisible()) return;
     const auto run = cursor_.run();

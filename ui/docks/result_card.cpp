@@ -25,7 +25,7 @@ namespace {
 
 constexpr int nameWidth = 138;  // [px]
 
-/// A share of a strength; amber from 80 %, red from 100 %.
+/// A bar that shows the utilisation of a strength; amber from 80 %, red from 100 %.
 class UseBar : public QWidget {
 public:
     UseBar(double use, const Themes& themes, QWidget* parent) : QWidget(parent), use_(use), themes_(themes) {
@@ -96,7 +96,7 @@ void ResultCard::make() {
                                                             ? boltResults(*moment, *frame, bolt, events, numbers)
                                                             : blockResults(*moment, *frame, block, events, numbers));
         } catch (const std::exception&) {
-            return {};  // the run's store was deleted, which is reported elsewhere
+            return {};  // the run's files were deleted, which is reported elsewhere
         }
         return [this, made, bolt, block] {
             if (on_ && bolts_.bolt() == bolt && blocks_.block() == block) show(made);
@@ -141,7 +141,7 @@ void ResultCard::addRow(const ResultRow& row) {
     grid_->addWidget(detail, at + 1, row.use ? 1 : 0, 1, row.use ? 1 : 2);
 }
 
-/// A click on an event moves the time to it.
+/// Lists events; a click on one moves the time to it.
 void ResultCard::addEvents() {
     if (report_->events.empty()) return;
     int at = grid_->rowCount();

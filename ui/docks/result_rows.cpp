@@ -19,7 +19,8 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostEvents = 8;
-constexpr double noForce = 1e-9, leastUse = 1e-6;  // of the axial force; of a strength: less is round-off
+// relative to the axial force and to a strength; smaller values are round-off
+constexpr double noForce = 1e-9, leastUse = 1e-6;
 
 struct ResultTexts {
     Q_DECLARE_TR_FUNCTIONS(ResultRows)

@@ -18,7 +18,8 @@
 
 namespace keyblock {
 
-/// Two texts at the left, fraction and remaining time at the right, a bar below; the outcome once the run is over.
+/// Shows two texts on the left, the fraction and the remaining time on the right, and a bar below them. When the run is
+/// over, it shows the outcome.
 class RunStatus::Progress : public QWidget {
 public:
     Progress(const Themes& themes, const Runs& runs, QWidget* parent) : QWidget(parent), themes_(themes), runs_(runs) {
@@ -41,7 +42,8 @@ protected:
         const Theme& theme = themes_.current();
         QString right = QStringLiteral("%1 %").arg(static_cast<int>(std::floor(100.0 * session->fraction())));
         QString left;
-        const QString search = session->searchText();  // shown in place of stage and step: it changes while the bar does not
+        // shown instead of stage and step, because it changes while the bar does not
+        const QString search = session->searchText();
         if (session->state() == RunSession::State::Paused) left = RunStatus::tr("paused");
         else if (session->state() == RunSession::State::Stopping) left = RunStatus::tr("stopping…");
         else if (const auto seconds = session->secondsLeft(); seconds && search.isEmpty()) left = leftText(*seconds);
@@ -72,7 +74,7 @@ protected:
     }
 
 private:
-    /// Right-aligned at `end`; \return where it begins.
+    /// Paints text that ends at `end`. \return where it begins.
     double write(QPainter& painter, const QString& text, bool bold, const QColor& colour, double end) const {
         QFont font = painter.font();
         font.setPixelSize(bold ? 12 : 11);

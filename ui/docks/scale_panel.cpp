@@ -27,7 +27,7 @@ namespace {
 
 constexpr int stepCounts[]{0, 4, 5, 8, 10, 20};
 
-/// Factor from numbers in units of pictures to numbers as shown.
+/// Factor from numbers in the units of the picture to numbers in the units shown.
 double factorOf(const LegendBar& bar, const ShownNumbers& numbers) {
     const auto factor = [&](const QuantityDisplay& display) {
         return shownAs(display.unit, display.convention, numbers).factor;
@@ -139,7 +139,7 @@ void ScalePanel::fill() {
     steps_->setCurrentIndex(std::max(0, steps_->findData(choice.intervals)));
 }
 
-/// The typed range, in units of pictures; marks fields that cannot be read.
+/// The typed range in the units of the picture; fields that cannot be read are marked.
 std::optional<ValueRange> ScalePanel::typed() {
     const std::string unit = bar_.unit.substr(0, bar_.unit.find(" per "));
     const TypedNumber from = typedNumber(from_->text().toStdString(), unit);

@@ -27,8 +27,8 @@ namespace {
 enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
 enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, EnergyTaken };
 
-constexpr double nothing = 1e-9;  // of the axial force: less is round-off
-constexpr int mostInACell = 3;  // blocks in a cell
+constexpr double nothing = 1e-9;  // relative to the axial force; smaller values are round-off
+constexpr int mostInACell = 3;  // blocks listed in a cell
 
 QTreeWidget* table(const char* name, const QString& says, const QStringList& heads, int firstNumber, int lastNumber,
                    QWidget* parent) {
@@ -55,7 +55,7 @@ void fitColumns(QTreeWidget* tree) {
     for (int c = 0; c + 1 < tree->columnCount(); ++c) tree->resizeColumnToContents(c);
 }
 
-/// Limits the table to the height of its rows, up to a few, if another table needs room below.
+/// Limits the table to the height of its rows, at most three, if another table needs the space below.
 void fitRows(QTreeWidget* tree, bool leavesRoom) {
     const int rows = std::min(3, tree->topLevelItemCount());
     tree->setMaximumHeight(leavesRoom ? tree->header()->sizeHint().height() + 26 * rows + 4 : QWIDGETSIZE_MAX);
@@ -139,7 +139,7 @@ void StabilityPanel::takeRun() {
     fill();
 }
 
-/// Extremes are read on a thread: reading them takes longer than the window may wait.
+/// Extremes are read on another thread, because reading them would block the window for too long.
 void StabilityPanel::readBolts() {
     if (!run_ || run_->frames().size() == read_ || run_->scene().bolts.empty()) return;
     read_ = run_->frames().size();
@@ -150,7 +150,7 @@ void StabilityPanel::readBolts() {
             uses = boltUses(*soFar);
             ends = endsOf(*soFar);
         } catch (const std::exception&) {
-            return {};  // the run's store was deleted, which is reported elsewhere
+            return {};  // the run's files were deleted, which is reported elsewhere
         }
         std::stable_sort(uses.begin(), uses.end(),
                          [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
@@ -229,7 +229,7 @@ void StabilityPanel::fillBolts() {
     fitColumns(bolts_);
 }
 
-/// "62.1 kN at 1.25 m", measured from the far end.
+/// The peak as text, for example "62.1 kN at 1.25 m", measured from the far end.
 QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit, double axial) const {
     if (peak.stage < 0) return QStringLiteral("–");
     if (std::abs(peak.value) < nothing * std::abs(axial)) return QStringLiteral("0");

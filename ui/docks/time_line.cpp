@@ -54,7 +54,7 @@ ElidedLabel* labelIn(QWidget* parent, const char* name, const QString& accessibl
     return label;
 }
 
-/// Row of the history at a time; −1 before the first.
+/// Index of the last history row up to a time; −1 before the first.
 long rowAt(const HistoryLog& rows, const FrameHead& head) {
     const auto places = std::views::iota(std::size_t{0}, rows.size());
     const auto timeOf = [&](std::size_t row) { return std::pair(rows[row].stage, rows[row].time); };
@@ -150,7 +150,7 @@ QWidget* TimeLine::makeTransport() {
     stage_ = labelIn(bar, "timeStage", tr("Stage shown"));
     time_ = labelIn(bar, "timeReadout", tr("Time shown"));
     frame_ = labelIn(bar, "timeFrame", tr("Frame shown"));
-    time_->setMinimumWidth(86);  // so that the layout does not jump while time runs
+    time_->setMinimumWidth(86);  // so that the layout does not shift while the time changes
     frame_->setMinimumWidth(104);
     live_ = new QToolButton(bar);
     live_->setObjectName("timeLive");
@@ -263,7 +263,7 @@ QSize TimeLine::minimumSizeHint() const { return {420, height()}; }
 
 void TimeLine::resizeEvent(QResizeEvent*) { fit(); }
 
-/// Shows as much as fits: first the names of kinds are dropped, then what other panels show as well.
+/// Shows as much as fits. First the names of kinds are hidden, then values that other panels show as well.
 void TimeLine::fit() {
     for (int level = 0; level <= shortest; ++level) {
         showAsShort(level);
@@ -314,7 +314,7 @@ void TimeLine::showBookmark() {
     bookmark_->setIcon(themes_.icon("bookmark", marked ? themes_.current().accent : themes_.current().text2));
 }
 
-/// Time of B, time difference of A, and the change of the selected bolt's force.
+/// The time of cursor B, its difference from cursor A, and the change in the force of the selected bolt.
 QString TimeLine::compareText() const {
     const auto b = cursor_.cursorB();
     if (!b) return {};

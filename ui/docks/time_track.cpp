@@ -23,10 +23,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double narrowest = 1e-4;  // of the axis
+constexpr double narrowest = 1e-4;  // fraction of the axis
 constexpr double leastBetweenMarks = 12.0, grabs = 7.0;  // [px]
 
-/// Counts each event at the mark nearest to it. \param placed in order, at least one if there are events
+/// Counts each event at the mark nearest to it. \param placed marks in order; not empty if there are events
 void countEvents(const std::vector<PlacedEvent>& all, std::vector<PlacedEvent>& placed) {
     for (PlacedEvent& mark : placed) mark.count = 0;
     for (const PlacedEvent& event : all) {
@@ -49,7 +49,7 @@ std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const st
     std::stable_sort(all.begin(), all.end(), [&](const PlacedEvent& a, const PlacedEvent& b) {
         return severityOf(a) > severityOf(b);
     });
-    std::vector<double> taken;  // rising
+    std::vector<double> taken;  // in increasing order
     std::vector<PlacedEvent> placed;
     for (const PlacedEvent& mark : all) {
         const auto next = std::lower_bound(taken.begin(), taken.end(), mark.x);
@@ -137,7 +137,7 @@ bool TimeTrack::event(QEvent* event) {
     return true;
 }
 
-/// The event at the cursor, else the time.
+/// The event at the pointer; if there is none, the time.
 QString TimeTrack::tipAt(const QPointF& at) const {
     if (axis_.isEmpty()) return {};
     const LiveRun& run = *cursor_.run();
@@ -192,7 +192,7 @@ void TimeTrack::mouseMoveEvent(QMouseEvent* event) {
         setWindow(dragLow_ + by, dragLow_ + by + (high_ - low_));
     }
     if (drag_ != Drag::CursorB || cursor_.run()->frames().empty()) return;
-    // The frame nearest to the cursor.
+    // The frame nearest to the mouse pointer.
     const auto& frames = cursor_.run()->frames();
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < frames.size(); ++i)

@@ -51,7 +51,7 @@ const char* iconOf(const StageRecord* record, bool goesOn) {
     }
 }
 
-/// How far a stage got in its own time.
+/// Time within a stage that was reached.
 double reachedIn(const LiveRun& run, int stage, const StageRecord* record) {
     double reached = record && record->ended ? record->result.time : 0.0;
     for (const FrameHead& head : run.frames())
@@ -68,7 +68,7 @@ const StageRecord* recordOf(const LiveRun& run, int stage) {
     return found == records.end() ? nullptr : &*found;
 }
 
-/// Hatched: not computed yet, or never.
+/// Hatches the part of a stage that has not been computed, or never will be.
 void paintUndone(QPainter& painter, const Theme& theme, double from, double to) {
     painter.save();
     painter.setClipRect(QRectF(from, bandTop, to - from, bandHeight), Qt::IntersectClip);
@@ -129,7 +129,8 @@ void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span) const {
                right - done > 1.0 ? std::max(done, from) : to);
 }
 
-/// Name and kind of the stage, and at the end a note on the part that is not computed, from `done`, if it fits.
+/// Paints the name and kind of the stage. If there is room, a note at the end, after `done`, says that this part is not
+/// computed.
 void TimeTrack::paintStage(QPainter& painter, const Stage& stage, double from, double to, double done) const {
     const Theme& theme = themes_.current();
     const QFont small = screenFont(11);
@@ -172,7 +173,7 @@ void TimeTrack::paintTicks(QPainter& painter) const {
                              StageKind::Dynamic;
         for (const double value : ticks.values) {
             const double x = xOf(axis_.at(span.stage, value));
-            const bool isEnd = value >= span.duration * (1.0 - 1e-9) && span.to < 1.0;  // the next begins there
+            const bool isEnd = value >= span.duration * (1.0 - 1e-9) && span.to < 1.0;  // the next stage begins there
             if (isEnd || x < inset - 0.5 || x > width() - inset + 0.5) continue;
             painter.setPen(QPen(theme.border, 1.0));
             painter.drawLine(QPointF(x, axisAt - (value == 0.0 ? 4.0 : 0.0)), QPointF(x, axisAt + 4.0));
@@ -212,7 +213,7 @@ void TimeTrack::paintMarks(QPainter& painter) const {
     }
 }
 
-/// Number of events of a mark, if it fits before the next one.
+/// Paints the number of events of each mark if it fits before the next mark.
 void TimeTrack::paintCounts(QPainter& painter, const std::vector<PlacedEvent>& placed) const {
     painter.setFont(screenFont(10));
     painter.setPen(themes_.current().text2);
@@ -246,7 +247,7 @@ void TimeTrack::paintCursors(QPainter& painter) const {
     paintFlag(painter, x, QStringLiteral("A"), true);
 }
 
-/// A flag with a letter that points down to the line.
+/// Paints a flag with a letter; the flag points down to the line.
 void TimeTrack::paintFlag(QPainter& painter, double x, const QString& letter, bool filled) const {
     const Theme& theme = themes_.current();
     const QVector<QPointF> corners{{x - 7.5, 0.5}, {x + 7.5, 0.5}, {x + 7.5, 8.5}, {x, 13.5}, {x - 7.5, 8.5}};

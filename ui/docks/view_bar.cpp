@@ -134,7 +134,7 @@ void ViewBar::fill() {
     for (const double factor : factors) factor_->addItem(QStringLiteral("×") + Display::number(factor, 4), factor);
 }
 
-/// Commands of other folders shown here, as far as they exist.
+/// Adds commands that other parts of the window define, if they exist.
 void ViewBar::addCommands() {
     for (const char* id : {"view.probe", "view.zoomBox", "view.fit", "export.figure"}) {
         if (!commands_.has(id)) continue;
@@ -150,7 +150,7 @@ void ViewBar::addCommands() {
     }
 }
 
-/// Other folders may add commands after this bar is created.
+/// Commands are added here, because other parts of the window may define them after this bar is created.
 void ViewBar::showEvent(QShowEvent*) {
     if (!std::exchange(hasCommands_, true)) {
         addCommands();
