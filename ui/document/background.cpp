@@ -47,7 +47,7 @@ void Background::work() {
             overtaken_ = false;
         }
         Result result = job();
-        job = nullptr;  // frees its data on this thread, not in the window
+        job = nullptr;  // frees its data on this thread, not on that of the window
         if (result) QMetaObject::invokeMethod(this, std::move(result), Qt::QueuedConnection);
     }
 }

@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostNotes = 3;  // sentences about other changes
+constexpr std::size_t mostNotes = 3;  // notes on other changes that are shown after an edit
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
@@ -36,7 +36,7 @@ SceneRescue rescued(const QString& path, const QByteArray& content) {
 
 }  // namespace
 
-/// The only kind of step: the scenes before and after.
+/// The only kind of undo step: it holds the scenes before and after the change.
 class SceneStep : public QUndoCommand {
 public:
     using Late = std::shared_ptr<const LazyScene>;
@@ -48,7 +48,8 @@ public:
     void redo() override { take(*before_, *after_, pointers_); }
 
 private:
-    /// A recovered scene that cannot be read is not shown as an empty one: the current scene stays, marked as unsaved.
+    /// If a recovered scene cannot be read, no empty scene is shown in its place: the current scene stays and is marked
+    /// as unsaved.
     void take(const LazyScene& from, const LazyScene& to, const PointerChange& pointers) {
         if (document_.isRestoring_) return;
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
@@ -71,7 +72,7 @@ Document::Document(QObject* parent)
 }
 
 Document::~Document() {
-    undo_->disconnect();  // it clears itself after this document is destroyed
+    undo_->disconnect();  // the undo stack clears itself after this document is destroyed
 }
 
 const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? preview_ : scene_; }
@@ -162,7 +163,7 @@ std::vector<Problem> Document::open(const QString& path) {
     }
     SceneRescue rescue = rescued(path, contentOf(path));
     if (!rescue.scene || !rescue.isWhole) return reading.problems;
-    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // the check reports the rest
+    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // the check reports the remaining errors
     return {};
 }
 
@@ -195,7 +196,8 @@ void Document::fileIsGone() {
         const QSignalBlocker quiet(this);
         undo_->resetClean();
     }
-    Q_EMIT fileChanged();  // also if it was modified, which the stack does not signal
+    // also if the document already had unsaved changes, in which case the undo stack sends no signal
+    Q_EMIT fileChanged();
 }
 
 void Document::setScene(std::shared_ptr<const Scene> scene) {
@@ -204,7 +206,8 @@ void Document::setScene(std::shared_ptr<const Scene> scene) {
     show();
 }
 
-/// Objects that existed before and no longer do are gone; others (a bolt of the results) never were in the scene.
+/// A pointer becomes invalid only if its object existed before and no longer exists. Pointers to other objects (such as
+/// a bolt of the results) never referred to the scene and are kept.
 void Document::take(const Scene& from, const std::shared_ptr<const Scene>& to, const PointerChange& pointers) {
     setScene(to);
     Q_EMIT moved([&](const std::string& pointer) {

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// Empty if the file cannot be read.
+/// Hash of the file; empty if it cannot be read.
 QByteArray hashOf(const QString& path) {
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha1);

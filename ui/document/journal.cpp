@@ -99,7 +99,7 @@ bool Journal::open() {
     return file_ != nullptr;
 }
 
-/// If the file cannot be created yet, the next edit tries again, including the edits before it.
+/// If the file cannot be created now, the next edit tries again and then also writes the edits before it.
 void Journal::begin() {
     if (file_ || !open()) return;
     file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front()->get(), saved_ == 0);
@@ -110,7 +110,7 @@ void Journal::begin() {
     if (broken_) tell({});
 }
 
-/// \param why empty: the error is over.
+/// Reports a change of the error state. \param why reason of the error; empty if the journal can be written again.
 void Journal::tell(const QString& why) {
     if (broken_ == !why.isEmpty()) return;
     broken_ = !why.isEmpty();
@@ -125,7 +125,7 @@ void Journal::follow(int index) {
     const auto at = static_cast<std::size_t>(index);
     const bool isKnown = at < states_.size() && states_[at]->known() == now;
     if (isKnown && index == index_) return;
-    if (!isKnown && (at == 0 || at > states_.size())) return;  // another document, which signals this itself
+    if (!isKnown && (at == 0 || at > states_.size())) return;  // another document, which sends its own signal
     begin();
     index_ = index;
     if (isKnown) {

@@ -106,7 +106,8 @@ void JournalFile::write(const std::string& line) {
     }
 }
 
-/// A line that cannot be written waits, with those after it, until the disk has room.
+/// Writes the waiting lines. A line that cannot be written stays in the queue, with those after it, until there is room
+/// on the disk.
 void JournalFile::writeUnwritten() {
     try {
         for (; !unwritten_.empty(); unwritten_.pop_front()) {
@@ -116,7 +117,8 @@ void JournalFile::writeUnwritten() {
         if (failing_) report_({});
         failing_ = false;
     } catch (const CannotWrite& error) {
-        if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;  // an incomplete line remains at its end
+        // if this fails, an incomplete line stays at the end of the file
+        if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;
         failing_ = true;
         report_(error.what());
     }

@@ -69,7 +69,7 @@ std::optional<TextChange> changeOf(const JsonNode& node) {
     return TextChange{*begin, *removed, *text};
 }
 
-/// Older journals have one change per line, given by the unchanged lengths at both ends.
+/// Older journals have one change per line. It is given by the lengths of the unchanged text at both ends.
 std::optional<std::vector<TextChange>> changesAt(const JsonNode& body, std::size_t before) {
     const JsonNode* member = findMember(body, "changes");
     if (!member) {

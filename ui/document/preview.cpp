@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stages are ignored: everything that is excavated, installed or removed in a stage
-// is drawn, so that it can be seen and picked.
+// Stages are ignored: everything that a stage excavates, installs or removes is
+// drawn, so that it can be seen and picked.
 #include "ui/document/preview.h"
 
 #include "solver/run/preview_frame.h"

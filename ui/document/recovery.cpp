@@ -26,7 +26,7 @@ namespace keyblock {
 namespace {
 
 constexpr qint64 secondsToBegin = 10;  // an empty journal younger than this may still be written
-constexpr std::size_t fewSteps = 32;  // between two cached texts
+constexpr std::size_t fewSteps = 32;  // steps between two cached texts
 
 /// A journal that is not in use, locked while it is read.
 class Held {
@@ -47,7 +47,7 @@ private:
     bool isFree_;
 };
 
-/// None if it cannot be read completely at the moment, which does not mean that it is damaged.
+/// Content of a saved file; none if it cannot be read completely at the moment, which does not mean that it is damaged.
 std::optional<QByteArray> savedContent(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
@@ -112,7 +112,8 @@ private:
     std::map<std::size_t, std::string> kept_;  // cached texts after some of the steps
 };
 
-/// Empty if the scene at the end cannot be read. If it can, all can: the same program wrote them.
+/// The steps of a journal; empty if the current scene cannot be read. If it can, so can all others, because the same
+/// program wrote them.
 std::vector<RestoredStep> stepsOf(const Journalled& journal) {
     if (journal.steps.empty()) return {};
     const auto scenes = std::make_shared<JournalledScenes>(journal);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines that occur exactly once in each text are matched, as many as keep their
-// order; the ranges between two matches are compared in the same way.
+// Lines that occur exactly once in each text are matched: the largest set that
+// is in the same order in both texts. The ranges between two matches are
+// compared in the same way.
 #include "ui/document/text_changes.h"
 
 #include <algorithm>
@@ -14,11 +15,11 @@ namespace keyblock {
 namespace {
 
 constexpr int deepest = 8;  // recursion levels
-constexpr std::size_t joinedBelow = 32;  // bytes between two changes that are merged into one
+constexpr std::size_t joinedBelow = 32;  // changes with fewer bytes between them are merged
 
 bool isWithinLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// Length of the common beginning in whole UTF-8 characters [bytes].
+/// Length of the common beginning, in bytes, without cutting a UTF-8 character.
 std::size_t commonBegin(std::string_view a, std::string_view b) {
     const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     auto same = static_cast<std::size_t>(differ.first - a.begin());
@@ -51,17 +52,17 @@ struct Lines {
     }
 
     std::string_view text;
-    std::vector<std::size_t> starts;  // of each line, and the end of the last
+    std::vector<std::size_t> starts;  // start of each line, and end of the last line
 };
 
-/// Lines of both texts, from `a` and `b` to before `aEnd` and `bEnd`.
+/// A range of lines in each text; `aEnd` and `bEnd` are one past the last line.
 struct Stretch {
     std::size_t a = 0, aEnd = 0, b = 0, bEnd = 0;
 };
 
-using Meeting = std::pair<std::size_t, std::size_t>;  // a line of each
+using Meeting = std::pair<std::size_t, std::size_t>;  // index of a matched line in each text
 
-/// The longest subset in the same order in both. \pre increasing in the first.
+/// The longest subset that is in the same order in both texts. \pre `all` increases in the first text.
 std::vector<Meeting> inOrder(const std::vector<Meeting>& all) {
     std::vector<std::size_t> tails, before(all.size());  // last element of the best sequence of each length
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -90,7 +91,7 @@ public:
 
 private:
     struct Place {
-        std::size_t from = 0, removed = 0, to = 0, added = 0;  // bytes of the old and of the new text
+        std::size_t from = 0, removed = 0, to = 0, added = 0;  // byte ranges in the old and in the new text
     };
 
     void compare(Stretch s, int depth) {

@@ -37,7 +37,7 @@ Visibility::Visibility(const Document& document, QObject* parent)
 
 QString Visibility::keyOf(const QString& pointer) const {
     const QString list = pointer.section('/', 0, -2);
-    if (list.isEmpty()) return pointer;  // of the scene itself
+    if (list.isEmpty()) return pointer;  // a member of the scene itself
     const std::string name = nameAt(*document_.scene(), pointer.toStdString());
     return name.empty() ? pointer : list + '\n' + QString::fromStdString(name);
 }
@@ -68,8 +68,8 @@ void Visibility::follow(const WhereNow& now) {
     if (!same) Q_EMIT changed();
 }
 
-/// A missing name may have been renamed; unnamed objects are found by index. A deleted object is hidden again if it
-/// returns under its name.
+/// A name that is missing may have been renamed; unnamed objects are found by index. A deleted object that returns
+/// under its name is hidden again.
 QSet<QString> Visibility::followed(const QSet<QString>& keys, const WhereNow& now) const {
     QHash<QString, QHash<QString, int>> before, after;
     QSet<QString> found;

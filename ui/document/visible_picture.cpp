@@ -32,7 +32,7 @@ private:
         return visibility_.isHidden(QString("%1/%2").arg(list).arg(index));
     }
 
-    /// Blocks given in the scene; cut blocks have no object of their own.
+    /// True if the block is given in the scene and hidden. Blocks that result from the cut have no object of their own.
     bool hidesBlock(int block) const {
         const auto index = static_cast<std::size_t>(block);
         return block >= 0 && index < scene_.blocks.size() && isHidden("/blocks", index);

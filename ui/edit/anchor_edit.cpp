@@ -46,7 +46,7 @@ Span spanOf(const Anchor& anchor, const std::vector<double>& nodes) {
     const double from = distanceAlong(anchor.from, length), to = distanceAlong(anchor.to, length);
     const Span span = nodesIn(from, to, nodes);
     if (span.first <= span.last) return span;
-    const std::size_t node = nearestNode(nodes, 0.5 * (from + to));  // of an interval between two nodes
+    const std::size_t node = nearestNode(nodes, 0.5 * (from + to));  // for an interval between two nodes
     return {node, node};
 }
 
@@ -60,7 +60,7 @@ double halfAfter(const std::vector<double>& nodes, std::size_t i) {
 
 BoltPlace placeAt(double s, double length) { return s >= length ? BoltPlace{true, 0.0} : BoltPlace{false, s}; }
 
-/// The parts of a range on both sides of the removed nodes.
+/// Adds the parts of a range on both sides of the removed nodes.
 void addParts(std::vector<Anchor>& kept, const Anchor& anchor, const std::vector<double>& nodes, std::size_t first,
               std::size_t last) {
     const double length = nodes.back();
@@ -89,7 +89,7 @@ std::vector<Anchor> without(const std::vector<Anchor>& anchors, const std::vecto
     return kept;
 }
 
-/// The entry with the nearest nodes.
+/// The entry whose nodes are nearest.
 const Anchor& nearestEntry(const std::vector<Anchor>& anchors, const std::vector<double>& nodes, std::size_t node,
                            const Anchor& otherwise) {
     const Anchor* nearest = &otherwise;

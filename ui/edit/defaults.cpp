@@ -16,8 +16,8 @@ namespace keyblock {
 namespace {
 
 constexpr Material granite{.density = 2700.0, .youngsModulus = 50e9, .poissonsRatio = 0.2};
-constexpr double share = 0.5;  // relaxation of the walls before bolts are installed
-constexpr double usualDuration = 0.1;  // [s] of a burst and the failures after it
+constexpr double share = 0.5;  // relaxation of the walls before bolts are installed, as a fraction
+constexpr double usualDuration = 0.1;  // [s] duration of a rockburst and the failures after it
 constexpr const char* usualBolt = "d-bolt-20";
 
 void makeMaterial(const Scene&, void* made) { *static_cast<Material*>(made) = granite; }
@@ -75,7 +75,7 @@ bool excavates(const Stage& stage, const std::string& name) {
     return std::find(stage.excavate.begin(), stage.excavate.end(), name) != stage.excavate.end();
 }
 
-/// The last stage that excavates, else the first whose name contains "excavat"; none: −1.
+/// The last stage that excavates; otherwise the first stage whose name contains "excavat"; −1 if there is none.
 int excavatingStage(const Scene& scene) {
     int found = -1;
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
@@ -85,7 +85,7 @@ int excavatingStage(const Scene& scene) {
     return found;
 }
 
-/// The stage that excavates the tunnel, or for an empty name any tunnel. −1: none.
+/// The stage that excavates the tunnel, or any tunnel if the name is empty; −1 if there is none.
 int excavatingStage(const Scene& scene, const std::string& tunnel) {
     if (tunnel.empty()) return excavatingStage(scene);
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
@@ -116,7 +116,7 @@ void installAfter(Edit& edit, int excavating, const std::string& name) {
     stages.insert(behind, std::move(bolts));
 }
 
-/// The tunnel that contains the bolt's head inside or on its wall; empty: none.
+/// The tunnel that contains the bolt's head or has it on its wall; empty if there is none.
 std::string tunnelAt(const Scene& scene, const Point& head) {
     for (const SceneTunnel& tunnel : scene.tunnels) {
         if (profileProblem(shapeOf(tunnel))) continue;

@@ -17,7 +17,7 @@ constexpr const char* noStage = "There is no stage yet. Add a stage first.";
 
 bool usable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
 
-/// Adds to a list of a stage.
+/// Adds an item to a list of a stage.
 template <typename Item>
 Edit intoStage(const Scene& scene, std::size_t stage, std::vector<Item> Stage::*list, const char* key, const Item& item) {
     if (stage >= scene.stages.size()) return {scene, noStage};

@@ -24,7 +24,7 @@ const Item* itemAt(const std::vector<Item>& items, const std::vector<std::string
     return index < items.size() ? &items[index] : nullptr;
 }
 
-/// The list of corners of the object, and whether the last joins the first.
+/// The corners of an object, and whether the last corner is connected to the first.
 struct Corners {
     std::string pointer;
     const std::vector<Point>* points = nullptr;

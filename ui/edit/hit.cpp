@@ -12,8 +12,8 @@ namespace keyblock {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double kindStep = 0.3;  // penalty from one kind to the next, over the radius
-constexpr double inside = 10.0;  // interiors come after all lines
+constexpr double kindStep = 0.3;  // penalty from one kind to the next, relative to the radius
+constexpr double inside = 10.0;  // penalty of interiors, which come after all lines
 
 /// Penalty of a kind: small objects and those drawn above others come first.
 double rankOf(ObjectKind kind) {
@@ -30,7 +30,7 @@ double rankOf(ObjectKind kind) {
         case ObjectKind::Support: return 3.0 * kindStep;
         case ObjectKind::Region:
         case ObjectKind::Domain: return 3.5 * kindStep;
-        default: return 4.0 * kindStep;  // sets and cells are everywhere
+        default: return 4.0 * kindStep;  // joint sets and Voronoi cells cover large areas
     }
 }
 

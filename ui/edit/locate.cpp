@@ -31,7 +31,7 @@ std::size_t elementCount(const FieldValue& value) {
     return 0;
 }
 
-/// Follows one part of the pointer; false if it leads nowhere.
+/// Follows one part of the pointer. \return false if it does not exist.
 bool step(ScenePlace& place, const std::string& part) {
     if (place.element) return false;
     if (place.isObject()) {

@@ -35,7 +35,8 @@ void append(std::vector<std::string>& names, const std::vector<Item>& items) {
     for (const Item& item : items) names.push_back(item.name);
 }
 
-/// Names that a new name in the list must differ from: those of the list, and others that stages could confuse with it.
+/// Names that a new name in the list must differ from: those in the list, and others that a stage could confuse with
+/// it.
 std::vector<std::string> namesBeside(const Scene& scene, std::string_view list) {
     std::vector<std::string> names;
     if (list == "/stages") {
@@ -66,7 +67,7 @@ long numberBehind(std::string_view stem, std::string_view name) {
 }
 
 std::string withName(std::string_view kind, std::string_view name) {
-    if (name.empty() || name.starts_with(kind)) return std::string(name.empty() ? kind : name);  // tunnel 1
+    if (name.empty() || name.starts_with(kind)) return std::string(name.empty() ? kind : name);  // for example tunnel 1
     return std::string(kind) + " " + std::string(name);
 }
 
@@ -92,7 +93,7 @@ std::string freeName(std::string_view stem, const std::vector<std::string>& take
 
 std::string newName(const Scene& scene, std::string_view list) {
     const std::string_view stem = stemOf(list);
-    if (list == "/stages") {  // the fourth is stage 4 regardless of the other names
+    if (list == "/stages") {  // the fourth stage is stage 4, regardless of the other names
         const std::string place = std::string(stem) + std::to_string(scene.stages.size() + 1);
         const std::vector<std::string> taken = namesBeside(scene, list);
         return std::find(taken.begin(), taken.end(), place) == taken.end() ? place : freeName(stem, taken);
@@ -151,7 +152,7 @@ std::string refusal(const Scene& scene, const std::string& pointer, const std::s
 }
 
 void follow(Scene& scene, Named kind, const std::string& from, const std::string& to) {
-    // One text may contain several names; from the end, so that earlier positions stay valid.
+    // One text may contain several names. They are replaced from the end, so that earlier positions stay valid.
     std::vector<Reference> references = referencesOf(scene);
     for (auto at = references.rbegin(); at != references.rend(); ++at)
         if (at->kind == kind && at->name() == from) at->text->replace(at->at, at->length, to);

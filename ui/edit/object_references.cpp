@@ -121,7 +121,7 @@ private:
         for (std::size_t i = 0; i < names.size(); ++i) bolt(names[i], 0, under(pointer, i), WhenGone::Entry);
     }
 
-    /// The name of a bolt, a pattern, or a bolt of a pattern (`P1.3`) starting at `at`.
+    /// Adds the reference to a bolt, a pattern, or a bolt of a pattern (`P1.3`) whose name starts at `at`.
     void bolt(std::string& text, std::size_t at, const std::string& pointer, WhenGone whenGone) {
         const std::string_view name = std::string_view(text).substr(at);
         Named kind = Named::Bolt;
@@ -133,7 +133,7 @@ private:
         add(kind, pointer, text, at, length, whenGone);
     }
 
-    /// Length of the longest name that `text` starts with, followed by the end or a dot; 0: none.
+    /// Length of the longest name with which `text` starts, followed by the end or a dot; 0 if there is none.
     static std::size_t longestName(std::string_view text, const std::vector<std::string>& names) {
         std::size_t longest = 0;
         for (const std::string& name : names)
@@ -152,7 +152,7 @@ private:
             quantity(scene_.about.expected[i].quantity, under(under("/about/expected", i), "quantity"), WhenGone::Owner);
     }
 
-    /// `max NAME.quantity`, `last NAME`, `first KIND NAME`.
+    /// Adds the names in a quantity: `max NAME.quantity`, `last NAME` or `first KIND NAME`.
     void quantity(std::string& text, const std::string& pointer, WhenGone whenGone) {
         std::size_t at = text.find(' ');
         if (at != std::string::npos && text.starts_with("first ")) at = text.find(' ', at + 1);

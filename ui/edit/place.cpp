@@ -22,7 +22,7 @@ bool isPlace(const Field& field) {
                                  field.kind == FieldKind::Points);
 }
 
-/// Shifts the points of an object and its children. False if one would be too far away.
+/// Shifts the points of an object and its children. \return false if a point would be too far away.
 bool shift(const Structure& structure, void* object, const Point& offset, int& places) {
     bool near = true;
     for (const Field& field : structure.fields) {
@@ -47,7 +47,7 @@ bool shift(const Structure& structure, void* object, const Point& offset, int& p
     return near;
 }
 
-/// The pointers without those inside others, plus the patterns along the selected tunnels.
+/// The pointers, without those of objects inside other ones, and the patterns of the selected tunnels.
 std::set<std::string> withPatterns(const Scene& scene, const std::vector<std::string>& pointers) {
     std::set<std::string> all(pointers.begin(), pointers.end());
     for (std::size_t i = 0; i < scene.boltPatterns.size(); ++i)
@@ -58,7 +58,7 @@ std::set<std::string> withPatterns(const Scene& scene, const std::vector<std::st
     return all;
 }
 
-/// One point of a line, or one field that is a point.
+/// Shifts one point of a line, or one field that is a point.
 bool shiftSingle(const ScenePlace& place, const Point& offset, int& places) {
     if (!place.field || !isPlace(*place.field)) return true;
     FieldValue value = place.field->get(place.owner);
@@ -72,7 +72,7 @@ bool shiftSingle(const ScenePlace& place, const Point& offset, int& places) {
     return near;
 }
 
-/// Copies entries of lists, one after another.
+/// Copies entries of lists one after another.
 class Copier {
 public:
     Copier(const Scene& scene, const Scene& source, const Point& offset)
@@ -135,7 +135,7 @@ private:
                 }
     }
 
-    /// Objects that the copies refer to and that this scene lacks.
+    /// Adds objects that the copies refer to and that this scene lacks.
     void bringAlong(const std::set<std::string>& made) {
         Scene& scene = edit_.scene;
         for (const Reference& reference : referencesOf(scene)) {

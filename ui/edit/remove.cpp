@@ -30,7 +30,7 @@ bool isLastOfName(const Scene& scene, Named kind, const std::string& name, const
 /// Everything that is deleted with the given objects.
 struct Departure {
     std::set<std::string> objects;  // pointers of entries, elements and objects
-    std::set<std::string> nulls;  // of fields that become null
+    std::set<std::string> nulls;  // pointers of fields that become null
     std::vector<std::string> notes;
 };
 
@@ -145,7 +145,7 @@ void erase(Edit& edit, const Scene& before, const std::set<std::string>& objects
     }
 }
 
-/// A line or an outline keeps its minimum number of points.
+/// A line or an outline must keep its minimum number of points. \return an error text, or an empty text.
 std::string tooShort(const Scene& scene, const std::set<std::string>& objects) {
     std::map<std::string, std::size_t> going;
     for (const std::string& pointer : objects)

@@ -16,7 +16,7 @@ namespace keyblock {
 namespace {
 
 constexpr double mostShownBolts = 10000.0;
-constexpr double signLength = 3.0;  // spacings of a set
+constexpr double signLength = 3.0;  // in units of the spacing of a joint set
 
 bool allUsable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
 
@@ -38,7 +38,7 @@ double toleranceIn(const std::vector<Point>& region) {
     return 1e-6 * (box.max - box.min).maxCoeff();
 }
 
-/// Collects objects in order.
+/// Collects the objects in order.
 class ObjectCollector {
 public:
     explicit ObjectCollector(const Scene& scene) : scene_(scene) {}

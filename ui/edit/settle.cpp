@@ -12,9 +12,9 @@
 namespace keyblock {
 namespace {
 
-constexpr int longestChain = 32;  // of derived types, as in the file reader
+constexpr int longestChain = 32;  // of derived types, the same limit as in the file reader
 
-/// Resets a field that does not apply to its default. True if its value changed.
+/// Resets a field that does not apply. \return true if this changed its value.
 bool leaveOut(const Structure& structure, const Field& field, void* object) {
     if (applies(structure, field, object) || sameValue(field, object, structure.defaults)) return false;
     if (hasChildren(field)) field.children.setNull(object);
@@ -22,7 +22,7 @@ bool leaveOut(const Structure& structure, const Field& field, void* object) {
     return true;
 }
 
-/// Other fields may depend on a field that is reset.
+/// Resets all fields that do not apply. This is repeated, because other fields may depend on a field that is reset.
 void leaveOutMisplaced(const Structure& structure, void* object) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -37,7 +37,7 @@ void leaveOutMisplaced(const Structure& structure, void* object) {
     }
 }
 
-/// True if the chain of types from which this one is derived has an end.
+/// True if the chain of types from which this one is derived ends.
 bool likeEnds(const Scene& scene, const BoltType& type) {
     const BoltType* at = &type;
     for (int link = 0; link < longestChain; ++link) {

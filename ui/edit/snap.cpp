@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostCrossed = 200;  // lines near the mouse that are intersected with each other
 
-/// Penalty of a kind relative to ends, over the radius. Points come before lines at any distance.
+/// Penalty of a kind compared with ends, relative to the radius. Points come before lines at any distance.
 double rankOf(SnapKind kind) {
     switch (kind) {
         case SnapKind::End: return 0.0;
@@ -92,7 +92,7 @@ private:
     }
 
     void meet(const Line& one, const Line& two) {
-        if (one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b) return;  // a corner
+        if (one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b) return;  // they share a corner
         if (const auto crossed = crossing(one.a, one.b, two.a, two.b))
             offer(crossed->place, SnapKind::Intersection, one.object, two.object, "intersection of ");
     }

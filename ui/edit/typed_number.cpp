@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A text is split into numbers, each with its unit, and the signs between. Every
-// number is converted to the unit of the field; a single one is the result, several
-// with signs between are an expression.
+// A text is split into numbers, each with its unit, and the operators between
+// them. Every number is converted to the unit of the field. A single number is
+// the result; several with operators between them are an expression.
 #include "ui/edit/typed_number.h"
 
 #include "solver/scene/number_text.h"
@@ -34,7 +34,7 @@ bool separatesThousands(std::string_view text, std::size_t at) {
     return three && (at + 4 == text.size() || !isDigit(text[at + 4]));
 }
 
-/// Number of bytes from `at` that are a number with a decimal point or comma and an exponent.
+/// Length in bytes of the number at `at`, which may have a decimal point or comma and an exponent.
 std::size_t numberLength(std::string_view text, std::size_t at, bool commaToo) {
     std::size_t end = at;
     bool point = false;
@@ -53,7 +53,7 @@ std::size_t numberLength(std::string_view text, std::size_t at, bool commaToo) {
     return end - at;
 }
 
-/// Number of bytes from `at` that are a unit: letters and signs, `/` and `·` only if more of the unit follows.
+/// Length in bytes of the unit at `at`: letters and symbols; `/` and `·` belong to it only if more of the unit follows.
 std::size_t unitLength(std::string_view text, std::size_t at) {
     std::size_t end = at;
     while (end < text.size()) {
@@ -144,7 +144,7 @@ private:
         while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     }
 
-    /// The unit at this position; none if there is none, or if it is wrong and `problem_` is set.
+    /// The unit at this position; none if there is no unit or if it is wrong, in which case `problem_` is set.
     std::optional<Unit> takeUnit() {
         const std::size_t length = unitLength(text_, at_);
         if (length == 0) return std::nullopt;
@@ -166,7 +166,7 @@ private:
                      : "'" + typed + "' is not a known unit. Enter " + wanted + ".";
     }
 
-    /// \pre the text is not an expression.
+    /// Reads a single number. \pre the text is not an expression.
     TypedNumber single() {
         std::string_view digits = out_;
         if (digits.starts_with("(")) digits = digits.substr(1, digits.size() - 2);

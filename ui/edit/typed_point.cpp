@@ -33,7 +33,7 @@ TypedPoint checkedPoint(const Point& place) {
     return {{}, "The point is too far away: coordinates must be within 1e9 m of the origin."};
 }
 
-/// Reads lengths into metres.
+/// Reads lengths and converts them to metres.
 class PointReader {
 public:
     PointReader(const TypingContext& context, std::string_view unit) : context_(context), unit_(unit) {}
