@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The source of a number is looked for from the narrow to the wide: its own, that
-// of the part it belongs to, that of the whole type. A value left at its default has
-// the default's source unless it is given one of its own.
+// The source of a number is that of the number itself, or else that of the part to
+// which it belongs, or else that of the whole type. A value left at its default has
+// the source of the default, unless it is given its own.
 #include "app/cli/bolt_listing.h"
 
 #include "solver/scene/field.h"
@@ -15,7 +15,7 @@ namespace keyblock::cli {
 
 namespace {
 
-/// The value as a scene file would have it, without quotes; empty for null.
+/// The value as written in a scene file, without quotes; empty for null.
 struct ValueText {
     std::string operator()(std::monostate) const { return {}; }
     std::string operator()(bool value) const { return value ? "true" : "false"; }
@@ -23,7 +23,7 @@ struct ValueText {
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(const BoltPlace& value) const { return value.head ? "head" : shortest(value.s); }
 
-    /// No value of a bolt type is a list of anything but pairs, which are listed one by one.
+    /// The only lists in a bolt type are lists of pairs, which are listed one by one.
     template <typename Other>
     std::string operator()(const Other&) const {
         return {};
@@ -75,7 +75,7 @@ private:
             numbers_.push_back(number);
     }
 
-    /// One entry a pair, all of one source.
+    /// Adds one entry for each pair, all with the same source.
     void addPairs(const Table& pairs, const BoltNumber& like) {
         for (std::size_t index = 0; index < pairs.size(); ++index) {
             BoltNumber number = like;
@@ -96,7 +96,7 @@ private:
         return part.empty() ? type_.source : part;
     }
 
-    /// The source given for the nearest part that holds the path; empty when none is.
+    /// The source given for the smallest part that contains the path; empty if there is none.
     std::string partSource(std::string path) const {
         while (!path.empty()) {
             if (const auto found = type_.sources.find(path); found != type_.sources.end())

@@ -21,11 +21,11 @@ namespace {
 constexpr std::size_t mostChains = 12;
 constexpr std::size_t mostLinks = 6;
 constexpr std::size_t mostBolts = 10;  // listed
-constexpr std::size_t mostHeld = 3;  // blocks named of a bolt
-constexpr double nothing = 1e-9;  // of the axial force
+constexpr std::size_t mostHeld = 3;  // supported blocks named for each bolt
+constexpr double nothing = 1e-9;  // fraction of the axial force; smaller values are round-off
 
-/// "62.1 at 1.25": a force in kilo-units and its distance from the far end [m]. \param axial largest axial force [N],
-/// next to which round-off is shown as 0.
+/// "62.1 at 1.25": a force or moment in kilo-units and its distance from the far end [m]. \param axial largest axial
+/// force [N], compared with which round-off is shown as 0.
 std::string peakText(const BoltPeak& peak, double axial) {
     if (peak.stage < 0) return "–";
     if (std::abs(peak.value) < nothing * std::abs(axial)) return "0";
@@ -59,7 +59,7 @@ TextRow useRow(const RunSource& run, const BoltUse& use) {
     return row;
 }
 
-/// "N, kN (at m)".
+/// A column with a heading such as "N, kN (at m)".
 TextColumn peakColumn(BoltQuantity quantity) {
     const BoltQuantityRow& row = rowOf(quantity);
     return {std::string(row.brief) + ", " + std::string(row.unit) + " (at m)", Align::Right};

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `bolts`: the library at a glance, or one type with every number's source.
+// The command `bolts`: lists the bolt library, or one type with the source of every
+// number.
 #include "app/cli/bolt_listing.h"
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `check`: everything that is wrong with a scene, what its domain is cut
-// into and what will be modelled of it, nothing run.
+// The command `check`: lists all problems of a scene, the blocks into which its domain
+// is cut, and what will be modelled. Nothing is run.
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/model_summary_listing.h"
@@ -23,7 +23,7 @@ std::string counted(const std::vector<Problem>& problems, Severity severity) {
     return std::to_string(count) + " " + std::string(wordOf(severity)) + (count == 1 ? "" : "s");
 }
 
-/// Errors to standard error, the rest of the answer to standard output.
+/// Prints errors to standard error and everything else to standard output.
 void tellErrors(const std::filesystem::path& scene, const std::vector<Problem>& problems) {
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
@@ -38,7 +38,7 @@ constexpr std::size_t mostOfAKind = 10;
 
 std::string placeText(const Point& place) { return "(" + coordinateText(place.x()) + ", " + coordinateText(place.y()) + ")"; }
 
-/// What was merged, trimmed and dropped: how many of each kind, then up to ten of them, or all.
+/// Prints what was merged, trimmed and dropped: the number of each kind, then up to ten of them, or all.
 void tellNotes(const SceneCut& cut, bool all) {
     for (auto note = cut.notes.begin(); note != cut.notes.end();) {
         const auto end = std::find_if(note, cut.notes.end(), [&](const CutNote& n) { return n.kind != note->kind; });
@@ -55,7 +55,7 @@ void tellNotes(const SceneCut& cut, bool all) {
 
 void tellCut(const SceneCut& cut, bool all) {
     if (cut.blocks == 0 && cut.sources.empty())
-        return;  // patterns of bolts alone
+        return;  // only bolt patterns were laid out; there was nothing to cut
     print("cut into " + std::to_string(cut.blocks) + " blocks of " + rounded(cut.area) + " m² with " +
           std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, minimum area " +
           rounded(cut.minArea) + " m², minimum width " + rounded(cut.minWidth) + " m\n");
@@ -66,7 +66,7 @@ void tellCut(const SceneCut& cut, bool all) {
     tellNotes(cut, all);
 }
 
-/// Of a scene without errors that has something to be modelled.
+/// The model summary of a scene that has no errors and at least one block.
 std::optional<ModelSummary> modelSummaryOf(const SceneReading& reading) {
     const SceneCut* cut = reading.cut ? &*reading.cut : nullptr;
     if (!reading.scene || (cut ? cut->scene : *reading.scene).blocks.empty())

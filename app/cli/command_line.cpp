@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only place that knows CLI11: it is slow to compile, so it is used nowhere else.
+// The only file that uses CLI11, because CLI11 is slow to compile.
 #include "app/cli/command_line.h"
 
 #include "app/cli/figure_words.h"
@@ -30,7 +30,7 @@ std::string progressProblem(const std::string& word) {
     return progressKinds.contains(word) ? "" : "'" + word + "' is not one of bar, json, none";
 }
 
-/// One member for each verb, filled while CLI11 parses.
+/// One member for each command, filled while CLI11 parses.
 struct Options {
     RunOptions run;
     CheckOptions check;
@@ -49,7 +49,7 @@ void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
         ->take_all();
 }
 
-/// Of verbs that run scenes.
+/// Adds the options of commands that run scenes.
 template <typename VerbOptions>
 void addThreadsAndProgress(CLI::App* verb, VerbOptions& options) {
     verb->add_option("--threads", options.threads,
@@ -165,7 +165,7 @@ void addExport(CLI::App& app, ExportOptions& options) {
         ->type_name("FILE.(csv|svg|pdf|png)");
 }
 
-/// `LAYER=role`; a layer's name may hold `=`.
+/// Reads `LAYER=role`; the name of the layer may contain `=`.
 std::string addRole(const std::string& text, ImportSettings& settings) {
     const auto sign = text.rfind('=');
     const auto role = sign == std::string::npos ? std::nullopt : layerRoleOf(text.substr(sign + 1));
@@ -253,7 +253,7 @@ void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
     throw UsageError(fault + "; there are " + names + "; see 'keyblock --help'");
 }
 
-/// CLI11's own words without their line breaks and its hint.
+/// Reports the first line of CLI11's message, followed by our own hint.
 [[noreturn]] void fail(const CLI::App& app, const CLI::ParseError& error) {
     std::string message = error.what();
     message = message.substr(0, message.find('\n'));
@@ -263,7 +263,7 @@ void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
     throw UsageError(message + "; see 'keyblock" + verb + " --help'");
 }
 
-/// `--set a=1 b=2` means `--set a=1 --set b=2`: values continue as long as they look like one.
+/// `--set a=1 b=2` means `--set a=1 --set b=2`: further words are values as long as they contain `=`.
 std::vector<std::string> wordsInReverse(int argc, const char* const* argv) {
     std::vector<std::string> words;
     bool setting = false;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One frame at a time is painted and handed on; while ffmpeg works on it the next
-// is painted.
+// Frames are painted one at a time. While ffmpeg encodes a frame, the next one is
+// painted.
 #include "app/cli/export_animation.h"
 
 #include "app/cli/output.h"
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a video; null: a folder of images.
+/// The format of a video; null: a folder of images.
 std::optional<MovieFormat> movieFormatOf(const fs::path& out) {
     const std::string ending = out.extension().string();
     if (ending == ".mp4") return MovieFormat::Mp4;
@@ -49,7 +49,7 @@ void checkAnimationOptions(const ExportOptions& options) {
 
 namespace {
 
-constexpr int defaultDpi = 240;  // 1512 pixels at the default width
+constexpr int defaultDpi = 240;  // gives 1512 pixels at the default width
 
 FigureRequest requestOf(const ExportOptions& options, const TableFilter& filter) {
     FigureRequest request;
@@ -65,7 +65,7 @@ FigureRequest requestOf(const ExportOptions& options, const TableFilter& filter)
 
 struct Stopped {};
 
-/// A run that refuses further frames once it is stopped.
+/// A run that throws at the next frame once the export is stopped.
 class StoppableRun : public RunSource {
 public:
     StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `export`: one table of a run as a CSV file, a figure, an animation, or a
-// folder for ParaView, whole or not at all.
+// The command `export`: writes one table of a run as a CSV file, a figure, an
+// animation, or a folder for ParaView. The output is written completely or not at all.
 #include "app/cli/cli_commands.h"
 #include "app/cli/export_animation.h"
 #include "app/cli/export_figure.h"
@@ -29,7 +29,7 @@ TableKind tableOf(const ExportOptions& options) {
     return *kind;
 }
 
-/// What is said of a figure has no meaning for a table.
+/// Refuses the options of figures, which have no meaning for a table.
 void refuseFigureOptions(const ExportOptions& options) {
     const auto refuse = [](bool given, const std::string& option) {
         if (given)

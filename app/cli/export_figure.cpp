@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};  // in the order of `PaperFormat`
 
-/// Index of the figure's word.
+/// Index of the figure's kind in `figureWords`.
 std::size_t kindOf(const ExportOptions& options) {
     const auto words = figureWords();
     const auto found = std::find(words.begin(), words.end(), *options.figure);
@@ -32,7 +32,7 @@ std::size_t kindOf(const ExportOptions& options) {
     throw UsageError("there is no figure '" + *options.figure + "'; there are " + names);
 }
 
-/// Index of the format that the file's ending says.
+/// Index of the format that belongs to the file's extension.
 std::size_t formatOf(const ExportOptions& options) {
     const auto found = std::find(endings.begin(), endings.end(), options.out.extension().string());
     if (found == endings.end())
@@ -62,7 +62,7 @@ void tell(const std::vector<Problem>& problems) {
     for (const Problem& problem : problems) printToError(oneLine(problem) + '\n');
 }
 
-/// \return false when one cannot be used; all problems are reported.
+/// Reads all reference files and reports all problems. \return false if a file cannot be used.
 bool readReferences(const ExportOptions& options, FigureRequest& request) {
     bool usable = true;
     for (const std::filesystem::path& file : options.references) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `import`: what a drawing holds, what became of every part of it, what
-// was guessed and assumed; and the scene, if it is one that can be cut.
+// The command `import`: lists what a drawing contains, what became of every part of
+// it, and what was guessed or assumed. Writes the scene if it can be cut.
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
@@ -41,7 +41,7 @@ std::string placeText(const NotTaken& item) {
            (item.place.handle.empty() ? "" : " (handle " + item.place.handle + ")");
 }
 
-/// Each entity with its position and reason: ten per kind, layer and reason, or all.
+/// Prints each skipped entity with its position and reason: ten for each kind, layer and reason, or all.
 void tellNotTaken(const Import& import, bool all) {
     if (import.notTaken.empty())
         return;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `info`: what a run store holds, also while it is written or after its
-// run was killed.
+// The command `info`: prints what a run store contains, even while it is being written
+// or after its run was killed.
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"

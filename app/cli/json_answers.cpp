@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only place of the command line that knows the JSON library. Numbers that are
-// not finite become null; text that is not UTF-8 is repaired.
+// The only part of the command line that uses the JSON library. Numbers that are not
+// finite become null; text that is not valid UTF-8 is repaired.
 #include "app/cli/json_answers.h"
 
 #include "app/cli/summary_text.h"
@@ -74,7 +74,7 @@ Json healthJson(const std::optional<RunHealth>& health) {
             {"residual", health->residual}};
 }
 
-/// Event numbers count from 0, in the order of the table of events.
+/// Events are numbered from 0, in the order of the events table.
 Json chainsJson(const RunSource& run, const std::vector<Event>& events) {
     Json chains = Json::array();
     for (const auto& chain : causeChains(events)) {
@@ -93,7 +93,8 @@ Json chainsJson(const RunSource& run, const std::vector<Event>& events) {
     return chains;
 }
 
-/// A force, where along the bolt and when it was largest; null of a bolt that carried none.
+/// Adds the peak of a force or moment, its position along the bolt, and when it occurred. Position and time are null
+/// for a bolt that carried none.
 void putPeak(Json& json, const RunSource& run, const BoltPeak& peak, const std::string& key, const std::string& unit,
              const std::string& when) {
     const bool any = peak.stage >= 0;
@@ -103,7 +104,7 @@ void putPeak(Json& json, const RunSource& run, const BoltPeak& peak, const std::
     json[when + "time_s"] = any ? Json(peak.time) : Json(nullptr);
 }
 
-/// The energies are those of the last frame.
+/// The energies of the bolt are those of the last frame.
 Json boltJson(const RunSource& run, const BoltUse& use, const BoltFrame& last) {
     const std::string name = boltName(run.scene(), use.bolt);
     Json json{{"bolt", name}};
@@ -336,7 +337,7 @@ std::string_view answerWord(const SafetyFactor& found) {
     return found.lower ? "bracketed" : "falls_always";
 }
 
-/// The blocks of the run at the upper end.
+/// The unstable blocks of the run at the upper end of the bracket.
 Json safetyBlocksJson(const std::vector<std::string>& names, const SafetyFactor& found) {
     Json blocks = Json::array();
     for (const SafetyRun& run : found.runs) {

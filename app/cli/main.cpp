@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From words to a verb to an exit code. Exceptions of a verb are reported here, on one
-// line, with the code that the contract gives it.
+// Reads the command line, performs the command and returns its exit code. Exceptions
+// of a command are reported here, on one line, with the exit code for their kind.
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
 #include "solver/files/read_error.h"

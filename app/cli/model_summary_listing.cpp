@@ -16,7 +16,7 @@ std::string counted(int count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Two digits are more than an estimate has.
+/// Rounds to two digits: an estimate is no more accurate than that.
 std::string rough(double value) {
     std::array<char, 64> buffer{};
     const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;

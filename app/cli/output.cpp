@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plain stdio: its error numbers are reliable where a stream only turns bad.
+// Uses plain stdio, which reports reliable error numbers; a stream reports only that
+// it failed.
 #include "app/cli/output.h"
 
 #include <signal.h>

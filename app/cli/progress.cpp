@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time left is extrapolated from the share done; it is not shown too early.
+// The remaining time is extrapolated from the fraction that is done. It is not shown
+// before that fraction is large enough for an estimate.
 #include "app/cli/progress.h"
 
 #include "app/cli/output.h"
@@ -20,7 +21,7 @@ namespace keyblock::cli {
 namespace {
 
 constexpr std::chrono::milliseconds shortestPause{100};
-constexpr double leastFraction = 0.005;  // below it the time left is a guess
+constexpr double leastFraction = 0.005;  // smallest fraction for which the remaining time is estimated
 constexpr int barCells = 24;
 constexpr const char* clearLine = "\r\033[K";
 
@@ -35,7 +36,7 @@ std::optional<double> secondsLeft(double elapsed, double start, double fraction)
 
 std::string twoDigits(long value) { return (value < 10 ? "0" : "") + std::to_string(value); }
 
-/// `m:ss`, or `h:mm:ss`.
+/// A duration as `m:ss`, or `h:mm:ss`.
 std::string clockText(double seconds) {
     constexpr double longest = 3600.0 * 999.0;
     const long whole = std::lround(std::min(seconds, longest));

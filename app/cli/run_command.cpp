@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `run`: read, run into the store, read the store back and sum up. What is
-// printed at the end therefore went through the disk.
+// The command `run`: reads the scene, runs it into the store, reads the store back and
+// prints a summary. What is printed at the end has therefore been written to disk.
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene if it can be run. Errors are printed on standard error, warnings with the results: standard error is for
-/// progress, which others read line by line.
+/// The scene if it can be run. Errors are printed on standard error, but warnings with the results: standard error is
+/// for progress, which other programs read line by line.
 std::optional<SceneReading> runnableScene(const RunOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);
     for (const Problem& problem : reading.problems)
@@ -74,7 +74,7 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
             printErrorLine("stage '" + stageName(scene, result.stage) + "': " + result.message + kept);
 }
 
-/// Runs the scene into its store, from the checkpoint if there is one; returns what each stage came to.
+/// Runs the scene into its store, from the checkpoint if there is one. Returns the result of each stage.
 std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read, const RunOptions& options,
                                  const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
     const Scene& scene = *read.scene;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `safety`: a line for every run as it is done, then the bracket and how
-// the scene fails. A scene that falls is a result; so is one that nothing brings down.
+// The command `safety`: prints a line for every run as it finishes, then the bracket
+// and how the scene fails. It is a result and not an error if the scene fails at every
+// factor, or at none.
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
@@ -28,12 +29,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostMoving = 10;  // blocks, and joints; --json has all
+constexpr std::size_t mostMoving = 10;  // blocks or joints listed; --json lists all
 const std::vector<TextColumn> runColumns{
     {"factor", Align::Right, 9}, {"", Align::Left, 10}, {"stage", Align::Left, 16}, {"outcome", Align::Left, 11},
     {"steps", Align::Right, 7}};
 
-/// File and line of what `checkSafety` found.
+/// Adds the file and line to the problems found by `checkSafety`.
 void placeIn(std::vector<Problem>& problems, const SafetyOptions& options) {
     std::ifstream file(options.scene, std::ios::binary);
     JsonReading json = readJson(std::string(std::istreambuf_iterator<char>(file), {}));
@@ -45,7 +46,7 @@ void placeIn(std::vector<Problem>& problems, const SafetyOptions& options) {
     nameOrigins(problems, options.scene.string(), options.overrides);
 }
 
-/// The scene if it has a factor of safety; otherwise prints why not on standard error.
+/// The scene if a factor of safety can be computed for it. Otherwise prints the reasons on standard error.
 std::optional<SceneReading> askedScene(const SafetyOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);
     std::vector<Problem> problems = reading.problems;
@@ -142,7 +143,7 @@ std::string movingJoints(const std::vector<std::string>& names, const FailureMod
                                                 rows);
 }
 
-/// Message of the failing run at the upper end, and what moved.
+/// The message of the failing run at the upper end of the bracket, and what moved.
 std::string modeText(const Scene& solved, const SafetyFactor& found) {
     std::string text;
     for (const SafetyRun& run : found.runs)

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Passes everything on to two sinks.
+/// Passes all calls on to two sinks.
 class Both : public Sink {
 public:
     Both(Sink& one, Sink& other) : one_(one), other_(other) {}

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A handler may touch nothing but a lock-free atomic, and call few functions; those
-// that end the program normally are among them.
+// A signal handler may access only lock-free atomics and call only a few functions.
+// Those that end the program in the default way are among them.
 #include "app/cli/stop_signals.h"
 
 #include <signal.h>

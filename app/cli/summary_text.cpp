@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A deviation from an expected number is printed but does not affect the exit code: the
-// run itself was good.
+// A deviation from an expected value is printed but does not affect the exit code,
+// because the run itself succeeded.
 #include "app/cli/summary_text.h"
 
 #include "app/cli/bolt_summary.h"
@@ -76,7 +76,7 @@ std::string quantityTable(const RunSource& run, const std::vector<HistoryRow>& h
     return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value (SI)", Align::Right}, {""}}, rows);
 }
 
-/// Whether no stage was cut short; only then can an expectation be judged.
+/// Whether no stage was cut short. Only then can results be compared with expected values.
 bool isWhole(const std::vector<StageRecord>& records) {
     return std::all_of(records.begin(), records.end(), [](const StageRecord& record) {
         const Outcome outcome = record.result.outcome;

@@ -13,7 +13,7 @@ namespace keyblock::cli {
 
 namespace {
 
-constexpr std::size_t mostListed = 20;  // blocks, joints or bolts; --json has all
+constexpr std::size_t mostListed = 20;  // blocks, joints or bolts; --json lists all
 
 std::string answer(const Verdict& verdict) {
     if (!verdict.stands)
@@ -38,7 +38,7 @@ std::string blockTable(const RunSource& run, const Verdict& verdict) {
     return "\n" + text + more(verdict.blocks.size(), rows.size()) + "\n";
 }
 
-/// A movement [m] in mm; 0 where it is round-off compared with the other.
+/// A movement [m] in mm; 0 if it is round-off compared with the other movement.
 std::string millimetres(double movement, double other) {
     return movement < 1e-9 * other ? "0" : rounded(fromSi(movement, namedUnit("mm")));
 }

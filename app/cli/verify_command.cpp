@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `verify`: the suite's cases one after another, computed next to expected, or
-// the paper's tables. A case that breaks down is a miss and does not keep the others
-// from running.
+// The command `verify`: runs the cases of the suite one after another and prints the
+// computed values next to the expected ones, or prints the tables of the paper. A case
+// that does not run counts as missed and does not stop the others.
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
@@ -56,7 +56,7 @@ std::vector<CaseResult> resultsOf(const Case& one) {
     }
 }
 
-/// Wide enough for most quantities, so that rows line up from case to case.
+/// Wide enough for most quantities, so that rows of all cases are aligned.
 const std::vector<TextColumn> caseColumns{{"", Align::Left, 0},          {"", Align::Left, 62},
                                           {"", Align::Right, 12},        {"", Align::Right, 12},
                                           {"", Align::Right, 10},        {"", Align::Right, 9},
@@ -82,7 +82,7 @@ ExitCode verdict(const Results& results) {
     return passed ? Done : Missed;
 }
 
-/// Runs the cases one after another; prints each as it is done, unless the answer is to be JSON.
+/// Runs the cases one after another. Prints each as it finishes, unless the output is JSON.
 std::vector<CaseResult> resultsOfAll(const std::vector<Case>& chosen, bool quiet) {
     std::vector<CaseResult> all;
     for (const Case& one : chosen) {
