@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Three passes over the frames: ranges, then common settings and the space they need,
-// then the pictures, one at a time. Only one frame is in memory.
+// Three passes over the frames: the first finds the ranges, the second finds the
+// common settings and the space they need, and the third paints the pictures one at a
+// time. Only one frame is in memory.
 #include "ui/figure/animation.h"
 
 #include "solver/results/csv.h"
@@ -28,7 +29,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double filmLineGap = 2.5;  // below section and column [mm]
+constexpr double filmLineGap = 2.5;  // [mm] gap below the section and the column
 
 std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filter) {
     std::vector<std::size_t> frames;
@@ -40,7 +41,7 @@ std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filte
                                   : "the run has no frames yet, so there is nothing to animate");
 }
 
-/// Arrows are scaled to the largest of their frame, so that frames could not be compared.
+/// Refuses arrows: they are scaled to the largest arrow of their frame, so frames could not be compared.
 SectionRequest colouredRequestOf(const RunSource& run, const FigureRequest& request) {
     SectionRequest section = sectionRequestOf(run, request);
     for (auto& [quantity, scale] : section.scales)
@@ -65,7 +66,7 @@ public:
 
     const std::vector<std::size_t>& frames() const { return frames_; }
 
-    /// A picture on its own sheet, not finished.
+    /// The picture of a frame on its own sheet, which is not finished yet.
     std::unique_ptr<Paper> painted(std::size_t index) const {
         const SectionPicture picture = film_.picture(index);
         auto paper = emptyPaper();
@@ -87,7 +88,7 @@ private:
         return {request_.width, title, picture.subtitle, warningsOf(run_, frame)};
     }
 
-    /// Space for the longest title, all kinds of marks and the last list of events, which is the longest.
+    /// A layout with space for the longest title, all kinds of marks and the last list of events, which is the longest.
     SectionLayout sharedLayout() const {
         const auto layoutFrom = [&](double top, const std::optional<std::vector<MarkKind>>& kinds) {
             return SectionLayout(last_, run_.scene(), request_.width, top, sheetOf(last_, frames_.back()).inner(), kinds);

@@ -23,7 +23,7 @@ void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message
 void needApplication() {
     if (QCoreApplication::instance()) return;
     qInstallMessageHandler(onlyFatal);
-    qSetGlobalQHashSeed(0);  // otherwise fonts are written to a PDF in random hash order
+    qSetGlobalQHashSeed(0);  // otherwise the order of the fonts in a PDF would be random
     qputenv("QT_QPA_PLATFORM", "offscreen");
     static int argc = 1;
     static char name[] = "keyblock";

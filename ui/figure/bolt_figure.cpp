@@ -26,7 +26,7 @@ using namespace paper_theme;
 constexpr double boltBandHeight = 6.0, boltPanelHeight = 26.0, boltAxisRoom = 10.0;  // [mm]
 constexpr double boltMarkDistance = 1.45;  // [mm]
 
-/// The frame and the bolt to show.
+/// Chooses the frame and the bolt to show.
 std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& request) {
     if (request.quantity)
         throw CannotDraw("a bolt figure shows all quantities; omit --quantity");
@@ -49,7 +49,7 @@ std::vector<MarkKind> kindsOf(const std::vector<Mark>& marks) {
     return kinds;
 }
 
-/// The bolt itself, straightened above the curves: shank, marks, and the labels of far end and head.
+/// Draws the bolt itself, straightened, above the curves: shank, marks, and the labels of the far end and the head.
 void drawBand(Ink& ink, const BoltChart& bolt, const std::vector<Mark>& marks, const ChartPlace& place, double y) {
     const auto at = [&](double s) { return Point(place.left + (place.right - place.left) * s / bolt.length, y); };
     ink.line(at(0.0), at(bolt.length), {0.7, rgb(0xA9AFB6)});
@@ -59,7 +59,7 @@ void drawBand(Ink& ink, const BoltChart& bolt, const std::vector<Mark>& marks, c
     ink.text(at(bolt.length) + Point(2.2, 0.7), "head", text_style::note);
 }
 
-/// The kinds of marks and the line of envelopes, in as many rows as the width needs.
+/// Key to the kinds of marks and the envelope line, in as many rows as necessary.
 class BoltKey {
 public:
     BoltKey(const std::vector<MarkKind>& kinds, bool envelope, double width) {
@@ -86,9 +86,9 @@ private:
     static constexpr double row = 3.4;  // [mm]
 
     struct Item {
-        std::optional<MarkKind> kind;  // null: the line of envelopes
+        std::optional<MarkKind> kind;  // null: the envelope line
         std::string name;
-        double x, sample;  // from the margin; offset of the name from there [mm]
+        double x, sample;  // [mm] distance from the margin, and offset of the name
         int row;
     };
 

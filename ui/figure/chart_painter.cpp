@@ -18,11 +18,11 @@ namespace keyblock {
 namespace {
 
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
-constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] distance of numbers and ticks from a panel and a title
+constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] space next to numbers, largest width of a title
 constexpr double leastTickRow = 1.9, titleRim = 0.8;  // [mm]
-constexpr std::size_t mostMarks = 60;  // of a reference: more points are drawn as a line only
+constexpr std::size_t mostMarks = 60;  // reference curves with more points have no marks
 
-/// SVG cannot clip, and all formats are to be alike; a dot on the axis stays whole.
+/// Draws without clipping: SVG cannot clip, and all formats should look alike. A dot on an axis is drawn whole.
 template <class Plottable>
 class Unclipped : public Plottable {
 public:
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// Titles next to the panels are placed left of the widest number of all.
+    /// Titles next to the panels are placed to the left of the widest number of all panels.
     void makeRoomForTitles() {
         for (const ChartPanel& panel : chart_.panels) {
             const Ticks ticks = roundTicks(panel.range, layout_.mostTicks);
@@ -81,7 +81,8 @@ private:
         }
     }
 
-    /// Numbers of a low panel must not overlap; its height is known once the layout is done.
+    /// Prevents the numbers of a low panel from overlapping; the height of a panel is known only once the layout is
+    /// done.
     void keepNumbersApart() {
         using Element = QCPLayoutElement;
         for (const auto phase : {Element::upPreparation, Element::upMargins, Element::upLayout})
@@ -189,11 +190,11 @@ private:
     struct KeyEntry {
         const ChartCurve* curve;
         std::string name;
-        double x = 0.0;  // from the left [mm]
+        double x = 0.0;  // [mm] distance from the left
         int row = 0;
     };
 
-    /// References one after the other, in rows.
+    /// Key entries of the reference curves, one after the other, in rows.
     std::vector<KeyEntry> keyOf(const ChartPanel& panel) const {
         std::vector<KeyEntry> entries;
         double x = 0.0;
@@ -214,7 +215,7 @@ private:
         return entries.empty() ? 0 : entries.back().row + 1;
     }
 
-    /// A line and a mark of each reference, with its name, between the panel's title and the panel.
+    /// Draws a sample of each reference curve, with its mark and name, between the panel's title and the panel.
     void drawKey(Ink& ink, std::size_t index) const {
         const ChartPanel& panel = chart_.panels[index];
         const Point corner(rects_[index]->left() / unitsPerMm,
@@ -257,7 +258,8 @@ private:
         ink.text(at + Point(0.0, 2.6), parted.unit, inked(text_style::note, theme_.softText), Align::Right);
     }
 
-    /// The panel's title, and names at the right ends of limits and curves, moved apart where they overlap.
+    /// Draws the panel's title, and the names of limits and curves at their right ends, moved apart where they would
+    /// overlap.
     void nameEnds(Ink& ink, std::size_t index) const {
         const ChartPanel& panel = chart_.panels[index];
         QCPAxisRect* rect = rects_[index];
@@ -310,7 +312,7 @@ private:
     const ChartLayout& layout_;
     Point size_;  // [mm]
     double keyRoom_;  // [mm]
-    double titlesFrom_ = 6.5, titlesWidth_ = 0.0;  // of titles at the left: their right ends from the panels, and width [mm]
+    double titlesFrom_ = 6.5, titlesWidth_ = 0.0;  // [mm] distance of titles at the left, and their width
     QCustomPlot plot_;
     std::vector<QCPAxisRect*> rects_;
     std::vector<QSharedPointer<RoundTicker>> tickers_;  // of the ordinates

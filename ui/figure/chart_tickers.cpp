@@ -9,12 +9,13 @@ namespace keyblock {
 
 namespace {
 
-constexpr double gap = 1.2;  // between two times [mm]
+constexpr double gap = 1.2;  // [mm] smallest gap between two times
 constexpr int mostTried = 9;
 
 }  // namespace
 
-/// A single number shows no scale: the one farthest from zero does, together with zero if both fit.
+/// If there is space for one number only, shows the one farthest from zero, because zero alone would show no scale.
+/// Zero is added if both fit.
 Ticks RoundTicker::ticksIn(const ValueRange& range) const {
     const double least = least_ * (range.high - range.low);
     const auto touch = [&](const Ticks& t) { return t.values.size() > 1 && t.values[1] - t.values[0] < least; };

@@ -25,7 +25,7 @@ constexpr double columnRow = 3.3, columnNoteRow = 2.9, barHeight = 2.3, tip = 1.
 
 QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// The bar's outline, with a triangle at ends that values exceed.
+/// The bar's outline, with a triangle at each end that values exceed.
 std::vector<Point> outlineOf(const LegendBar& bar, const Point& at, double from, double to) {
     std::vector<Point> points{at + Point(from, 0.0), at + Point(to, 0.0)};
     if (bar.goesAbove) points.push_back(at + Point(to + tip, 0.5 * barHeight));
@@ -49,7 +49,7 @@ void fillBar(Ink& ink, const LegendBar& bar, const Point& at, double from, doubl
     ink.polygon(outlineOf(bar, at, from, to), {}, Stroke{0.13, black});
 }
 
-/// Names above the bar; one that would overlap the name before it is omitted, its tick stays.
+/// Draws the names of limits above the bar. A name that would overlap the one before it is omitted, but its tick stays.
 void drawLimits(Ink& ink, const LegendBar& bar, const Point& at, const std::function<double(double)>& placeOf,
                 double width) {
     double free = 0.0;
@@ -82,7 +82,7 @@ void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
     for (const std::string& note : notes) ink.text({corner.x(), y += columnNoteRow}, note, text_style::note);
 }
 
-/// Row of the list: a heading of a stage, or an entry.
+/// A row of the event list: the heading of a stage, or an entry.
 struct EventRow {
     const EventEntry* entry = nullptr;
     std::string heading;
@@ -100,7 +100,7 @@ std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events) {
     return rows;
 }
 
-/// Wide enough for all times, so that the texts of all rows are aligned [mm].
+/// Width of the time column [mm], which fits all times, so that the texts of all rows are aligned.
 double timeRoom(const Scene& scene, const EventList& events) {
     double room = 6.5;
     for (const EventEntry& entry : events.entries)

@@ -55,7 +55,7 @@ void ContactPainter::draw(Ink& ink, ContactKind kind, const Point& at, const Poi
 
 namespace {
 
-/// Two sizes side by side, then the kinds.
+/// Draws lines for two forces side by side, and below them a sample of each kind of contact.
 void drawSamples(Ink& ink, const ContactField& field, const ContactPainter& contacts, const Point& at, double width) {
     const Box everywhere{{-1e9, -1e9}, {1e9, 1e9}};
     double x = 0.0;

@@ -24,7 +24,7 @@ using namespace paper_theme;
 
 constexpr double panelHeight = 30.0, axisRoom = 10.0, chartGap = 3.0, keyRoom = 3.0;  // [mm]
 
-/// A panel with references is higher, for their key.
+/// A panel with reference curves is higher, because it needs space for their key.
 double heightOf(const Chart& chart) {
     double height = axisRoom;
     for (const ChartPanel& panel : chart.panels)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A row for each kind of event that occurred, on the time axis of the whole run with
-// its stages above; below, the failures of bolts and the blocks that fell, several of a
-// kind as one entry.
+// A row for each kind of event that occurred, on the time axis of the whole run, with
+// the stages above. Below is a list of the failures of bolts and of the blocks that
+// fell, in which several events of a kind are one entry.
 #include "ui/figure/events_figure.h"
 
 #include "solver/results/tables.h"
@@ -35,7 +35,7 @@ constexpr std::size_t mostListed = 40;
 
 struct KindRow {
     const EventKindRow* kind = nullptr;
-    std::vector<double> times;  // on the axis, rising
+    std::vector<double> times;  // positions on the time axis, in ascending order
 };
 
 std::vector<KindRow> kindRows(const std::vector<Event>& events, const RunTime& time) {
@@ -49,7 +49,7 @@ std::vector<KindRow> kindRows(const std::vector<Event>& events, const RunTime& t
     return rows;
 }
 
-/// The mark on paper; ticks for events that occur by the hundred.
+/// Draws the mark of an event, or a tick if its kind occurs by the hundred.
 void drawEvent(Ink& ink, EventMark mark, const Point& at) {
     switch (mark) {
         case EventMark::Debonding: return drawMark(ink, MarkKind::Slipping, at, {1.0, 0.0}, true);
@@ -133,7 +133,7 @@ private:
     double left_, right_;
 };
 
-/// Number, stage (if several), time, object and event, force: a column each.
+/// A table with one column each for number, stage (if there are several), time, object and event, and force.
 class EventTable {
 public:
     EventTable(const Scene& scene, const EventList& list, double left, double width)

@@ -40,8 +40,8 @@ double FilmLine::placeOf(std::size_t picture, double width) const {
     return width * static_cast<double>(picture) / static_cast<double>(count_);
 }
 
-/// Numbers over the band once the events have occurred; one that would overlap the one before it is omitted, its tick
-/// stays.
+/// Draws the numbers of events above the band, once the events have occurred. A number that would overlap the one
+/// before it is omitted, but its tick stays.
 void FilmLine::drawMarks(Ink& ink, const Point& at, double width, std::size_t now) const {
     double free = -radius;
     for (const Mark& mark : marks_) {
@@ -66,7 +66,7 @@ void FilmLine::draw(Ink& ink, const Point& at, double width, std::size_t picture
         const bool now = part.first <= picture && picture < part.end;
         const TextStyle style{2.0, now, now ? black : softText};
         const std::string name = elided(part.name, style, to - from - 0.6);
-        if (name == part.name || name.size() > 7)  // more than four letters and the ellipsis
+        if (name == part.name || name.size() > 7)  // more than four letters and the three bytes of the ellipsis
             ink.text(at + Point(0.5 * (from + to), namesBelow), name, style, Align::Centre);
     }
     drawMarks(ink, at, width, picture);

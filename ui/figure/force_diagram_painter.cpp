@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The force diagram of a section: the values of one bolt drawn next to it, with their
-// limit.
+// The force diagram of a section: the values of one bolt, drawn next to the bolt
+// together with their limit.
 #include "ui/figure/map_painter.h"
 #include "ui/picture/ribbon_shape.h"
 
@@ -29,7 +29,7 @@ void MapPainter::drawRibbon(Ink& ink) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) placement_.keepOff(line[i], line[i + 1], 0.2);
     }
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) placement_.keepOff(outline[i], outline[i + 1], 0.2);
-    for (std::size_t e = 0; e < shape.tips.size(); ++e)  // nor on its fill
+    for (std::size_t e = 0; e < shape.tips.size(); ++e)  // keeps labels off the filled area, too
         placement_.keepOff(shape.base[e], outline[2 * e + 1], 0.2);
     const std::string label = numberText(bolt.values[ribbon.peak]) + " " + ribbonUnit(*picture_.boltLegend);
     const Point size(textWidth(label, text_style::number) + 1.0, 3.0);
@@ -41,7 +41,8 @@ void MapPainter::drawRibbon(Ink& ink) {
     if (ribbon.limit) drawLimitName(ink, ribbon, shape.limitFrom, shape.limitTo, shape.across);
 }
 
-/// At an end of the limit or beyond it, if it fits; else omitted.
+/// Draws the name of the limit beyond one of its ends or next to it, where there is space. Otherwise the name is
+/// omitted.
 void MapPainter::drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across) {
     TextStyle style = text_style::tick;
     style.colour = error;

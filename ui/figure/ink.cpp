@@ -56,8 +56,8 @@ const QString& family() {
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
 
-/// Whether shaping inserts glyphs that correspond to no character, as Inter does with a colon after a capital letter:
-/// such a PDF could not be searched.
+/// Whether shaping inserts glyphs that correspond to no character, as it does in Inter for a colon after a capital
+/// letter. The text of a PDF with such glyphs could not be searched.
 bool swapsGlyphs(const QFont& font, const QString& text) {
     QTextLayout layout(text, font);
     layout.beginLayout();
@@ -71,7 +71,7 @@ bool swapsGlyphs(const QFont& font, const QString& text) {
     return false;
 }
 
-/// The font for this text; scripts that need shaping keep it.
+/// The font for this text. Shaping is switched off if it would insert other glyphs, except in scripts that need it.
 QFont fontFor(const TextStyle& style, const QString& text) {
     QFont font = fontOf(style);
     const bool simple = std::all_of(text.begin(), text.end(), [](QChar c) {
@@ -147,7 +147,7 @@ void Ink::casedText(const Point& at, const std::string& text, const TextStyle& s
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(penOf({0.95, paper_theme::white}));
     painter_.drawPath(rim);
-    const QRectF whole = rim.boundingRect();  // no gaps between letters
+    const QRectF whole = rim.boundingRect();  // also covers the gaps between the letters
     painter_.fillRect(QRectF(whole.left(), units(at).y() - 0.6 * style.size * unitsPerMm, whole.width(),
                              0.75 * style.size * unitsPerMm), Qt::white);
     this->text(at, text, style, align);

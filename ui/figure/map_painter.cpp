@@ -20,10 +20,10 @@ namespace {
 using namespace paper_theme;
 
 constexpr double shank = 0.7, casing = 1.15;  // [mm]
-constexpr double dashShare = 0.4;  // of the width of a bar in compression
+constexpr double dashShare = 0.4;  // width of the dashes on a bar in compression, relative to that of the bar
 constexpr DetailSizes onThePaper{.shank = shank, .betweenMarks = 1.45, .moved = 1.0, .scaleForArtificial = 3.0,
                                  .spacingForMarks = 1.7, .spacingForPlates = 2.6, .boltForMarks = 5.0};  // [mm]
-constexpr double leastSpacingForNames = 3.0;  // below it a name is placed beyond the far end or omitted [mm]
+constexpr double leastSpacingForNames = 3.0;  // [mm] names of closer bolts are beyond the far end or omitted
 constexpr std::size_t manyAnchors = 12;
 
 Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
@@ -203,7 +203,7 @@ void MapPainter::drawNames(Ink& ink) {
     }
 }
 
-/// A point in a block for the start of a leader: its centroid, or halfway to a corner if a bolt is at the centroid.
+/// The start of a leader in a block: its centroid, or halfway to a corner if a bolt is at the centroid.
 Point MapPainter::footWithin(const std::vector<Point>& outline) const {
     const Point centroid = moments(outline).centroid;
     if (placement_.isFree(boxAbout(centroid, {1.5, 1.5}))) return centroid;
@@ -212,7 +212,7 @@ Point MapPainter::footWithin(const std::vector<Point>& outline) const {
     return centroid;
 }
 
-/// Displacements of the blocks whose initial outlines are drawn.
+/// Writes the displacement of each block whose initial outline is drawn.
 void MapPainter::drawMoved(Ink& ink) {
     for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper)) {
         const std::vector<Point> shown = clippedToBox(block->outline, window_);

@@ -15,7 +15,7 @@ std::vector<Point> rectangle(const Point& at, const Point& along, double half, d
     return {at - u - v, at + u - v, at + u + v, at - u + v};
 }
 
-/// One mark at its place.
+/// Draws one mark at its position.
 class MarkPainter {
 public:
     MarkPainter(Ink& ink, const MarkTheme& theme, const Point& at, bool small)
@@ -51,7 +51,7 @@ public:
         cased(rectangle(at_, {1.0, 0.0}, sizes_.square, sizes_.square), colours_.yielded);
     }
 
-    /// Two chevrons pointing apart along the bolt.
+    /// Draws two chevrons that point apart along the bolt.
     void chevrons(const Point& along) {
         const Point across = sizes_.chevronAcross * turnLeft(along);
         ink_.circle(at_, sizes_.chevronTo + sizes_.casing, colours_.casing, {});

@@ -17,9 +17,9 @@ namespace keyblock {
 namespace {
 
 constexpr double mmPerInch = 25.4;
-constexpr int unitsPerInch = 508;  // 25.4 mm of 20 units each
+constexpr int unitsPerInch = 508;  // 20 units per mm
 
-/// Replaces the text between `begin` and `end` by as many spaces: offsets in the file stay the same.
+/// Replaces the text from `begin` to `end` with the same number of spaces, so that offsets in the file stay valid.
 void blank(std::string& bytes, const std::string& begin, const std::string& end) {
     const std::size_t from = bytes.find(begin);
     if (from == std::string::npos) return;
@@ -103,7 +103,7 @@ std::string Paper::finish() {
     }
     std::string bytes = buffer_.data().toStdString();
     if (format_ == PaperFormat::Pdf) blank(bytes, "/CreationDate", "\n");
-    if (format_ == PaperFormat::Svg)  // for viewers without our font
+    if (format_ == PaperFormat::Svg)  // for viewers that do not have the font Inter
         replaceAll(bytes, "font-family=\"Inter\"", "font-family=\"Inter, 'Noto Sans', Arial, sans-serif\"");
     if (format_ == PaperFormat::Svg) replaceAll(bytes, "font-weight=\"630\"", "font-weight=\"600\"");  // Qt 5's scale
     return bytes;

@@ -38,7 +38,7 @@ std::string arrowNames() {
     return names + std::string(contactWord);
 }
 
-/// The quantity of blocks or over them, or of bolts.
+/// Sets the requested quantity: of blocks, drawn over blocks, or of bolts.
 void chooseQuantity(const FigureRequest& request, SectionRequest& section) {
     if (!request.quantity) return;
     section.arrows = arrowKindOf(*request.quantity);

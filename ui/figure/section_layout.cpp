@@ -13,8 +13,8 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double leastBeside = 115.0;  // narrower figures have the legends below the section [mm]
-constexpr double lowest = 0.35, highest = 1.2;  // height of the section over its width
+constexpr double leastBeside = 115.0;  // [mm] narrower figures have the legends below the section
+constexpr double lowest = 0.35, highest = 1.2;  // limits of the section's height relative to its width
 
 }  // namespace
 
@@ -23,7 +23,8 @@ SectionLayout::SectionLayout(const SectionPicture& picture, const Scene& scene, 
     : inner_(inner), beside_(width >= leastBeside) {
     columnWidth_ = beside_ ? column : 0.5 * (inner - gutter);
     const double mapWidth = beside_ ? inner - gutter - column : inner;
-    // The key depends on the marks, these on the scale, and the scale on the height that the items need.
+    // Done twice, because the key depends on the marks, the marks on the scale, and the scale on the height of all
+    // items.
     const Point extent = picture.window.max - picture.window.min;
     double height = mapWidth * std::clamp(extent.y() / extent.x(), lowest, highest);
     Items items;

@@ -15,7 +15,7 @@ namespace {
 using namespace paper_theme;
 
 constexpr double titleRow = 4.2, subtitleRow = 3.2, warningRow = 3.0, footRoom = 6.5;  // [mm]
-constexpr std::size_t mostWarnings = 3;  // the summary lists all
+constexpr std::size_t mostWarnings = 3;  // the summary of the run lists all warnings
 
 const TextStyle warningStyle{2.0, false, error};
 

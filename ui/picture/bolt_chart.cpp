@@ -20,7 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr int envelopePlaces = 400;
-constexpr double noBoltForce = 1e-3;  // of the largest: smaller values are not shown
+constexpr double noBoltForce = 1e-3;  // fraction of the largest value; smaller values are not shown
 
 using NodeQuantity = FrameQuantity<BoltNodeFrame>;
 
@@ -41,7 +41,7 @@ ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     const bool stepped = isOfElement(quantity);
     for (std::size_t i = 0; i < bolt.nodes.size(); ++i) {
         const double value = quantity.value(bolt.nodes[i]) * quantity.display.factor;
-        if (stepped && i + 1 == bolt.nodes.size()) break;  // the value there is the plate's
+        if (stepped && i + 1 == bolt.nodes.size()) break;  // the value at the head is that of the face plate
         curve.x.push_back(bolt.nodes[i].s);
         curve.y.push_back(value);
         if (stepped) {
@@ -52,7 +52,7 @@ ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     return curve;
 }
 
-/// Minimum and maximum at its bonded nodes, including zero.
+/// Minimum and maximum at the bonded nodes; the range always includes zero.
 ValueRange reachOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     ValueRange reach{0.0, 0.0};
     for (const BoltNodeFrame& node : bolt.nodes)
@@ -71,7 +71,7 @@ ChartCurve stemsOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     return curve;
 }
 
-/// The value at a position: of its element, or interpolated between nodes.
+/// The value at a position along the bolt: that of the element there, or interpolated between nodes.
 double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
     const auto& nodes = bolt.nodes;
     std::size_t i = 0;
@@ -83,7 +83,7 @@ double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
     return first + share * (quantity.value(nodes[i + 1]) - first);
 }
 
-/// A limit of the nodes' bonds on both sides of zero, as steps between midpoints of nodes.
+/// Adds a limit of the bonds on both sides of zero, as a stepped line with its steps midway between nodes.
 void addSteps(const BoltFrame& bolt, const std::vector<double>& values, const ChartLimit& limit, ChartPanel& panel) {
     const auto& nodes = bolt.nodes;
     for (std::size_t first = 0; first < nodes.size(); ++first) {
@@ -104,7 +104,7 @@ void addSteps(const BoltFrame& bolt, const std::vector<double>& values, const Ch
     }
 }
 
-/// Bond strength of each node with its current embedment, and the residual where that is lower.
+/// Adds the bond strength of each node at its current embedment, and the residual strength where that is lower.
 void addBondLimits(const BoltFrame& bolt, double factor, ChartPanel& panel) {
     std::vector<double> peaks, residuals;
     for (const BoltNodeFrame& node : bolt.nodes) {
@@ -133,7 +133,7 @@ void BoltReach::add(const Frame& frame) {
     addPeaks(frame);
 }
 
-/// Largest forces between frames.
+/// Includes the largest values that occurred between frames.
 void BoltReach::addPeaks(const Frame& frame) {
     if (static_cast<std::size_t>(bolt_) >= frame.extremes.size()) return;
     for (const NodeQuantity& quantity : boltQuantities()) {
@@ -205,7 +205,7 @@ private:
                forceText(force > noBoltForce * reach_.largestForce() ? force : 0.0, {}) + usedText() + ".";
     }
 
-    /// Utilisation in the run so far.
+    /// The bolt's utilisation in the run so far.
     std::string usedText() const {
         const auto bolt = static_cast<std::size_t>(bolt_);
         if (bolt >= frame_.extremes.size()) return {};
@@ -213,7 +213,7 @@ private:
         return text.empty() ? "" : "; to date " + text;
     }
 
-    /// Quantities of bonded nodes only: bond force, and slip if some nodes have no bond.
+    /// Whether only bonded nodes have the quantity: bond force, and slip if some nodes have no bond.
     bool isOfRealNodes(const NodeQuantity& quantity) const {
         const bool all = std::all_of(now().nodes.begin(), now().nodes.end(),
                                      [](const BoltNodeFrame& node) { return node.real; });
@@ -228,7 +228,8 @@ private:
         chart_.band = marksOf(bolt, bolt_, now(), straight, events);
     }
 
-    /// Shear and moment are shown if the bolt ever had any: a bar that was cut through carries none any more.
+    /// Shear force and moment are shown if the bolt ever had any, because they are zero in a bar that has since
+    /// ruptured.
     bool isShown(const NodeQuantity& quantity) const {
         const BoltQuantity of = rowOf(quantity).quantity;
         const bool beside = of == BoltQuantity::ShearForce || of == BoltQuantity::Moment;
@@ -237,7 +238,7 @@ private:
 
     void gatherEnvelopes() {
         for (const NodeQuantity& quantity : boltQuantities()) {
-            if (isOfRealNodes(quantity)) continue;  // their nodes are drawn as stems
+            if (isOfRealNodes(quantity)) continue;  // values at bonded nodes are drawn as stems
             Envelope envelope{std::string(quantity.column), {}, {}, {}};
             for (int i = 0; i <= envelopePlaces; ++i) envelope.s.push_back(chart_.length * i / envelopePlaces);
             envelope.low.assign(envelope.s.size(), 0.0);
@@ -290,7 +291,7 @@ private:
         }
     }
 
-    /// The first capacity that was not reached is shown, however high it is.
+    /// Extends the range to the lowest capacity that was not exceeded, even if it is far above the values.
     static void reachForCapacity(ChartPanel& panel) {
         if (panel.bolts != BoltQuantity::AxialForce) return;
         const ChartLimit* next = nullptr;
@@ -313,7 +314,8 @@ private:
         }
     }
 
-    /// From the midpoint before the first slipping node to the midpoint after the last.
+    /// Adds a zone for each series of slipping nodes, from the midpoint before its first node to the midpoint after its
+    /// last.
     void addZones() {
         std::vector<const BoltNodeFrame*> real;
         for (const BoltNodeFrame& node : now().nodes)
@@ -328,7 +330,7 @@ private:
         }
     }
 
-    /// Where the bolt crosses from one block to another; a gap counts once.
+    /// Adds a divider where the bolt passes from one block to another. A gap between blocks gets one divider.
     void addDividers() {
         int block = -1;
         double left = 0.0;
@@ -344,7 +346,7 @@ private:
     std::size_t index_;
     int bolt_;
     Frame frame_;
-    const BoltReach* known_;  // null: to be read from the frames so far
+    const BoltReach* known_;  // null: gathered from all frames up to this one
     BoltReach reach_;
     BoltChart chart_;
 };
@@ -372,7 +374,7 @@ double loadOf(const Frame& frame, std::size_t bolt) {
 }  // namespace
 
 int mostLoadedBolt(const Frame& frame, int held) {
-    constexpr double more = 1.5;  // than the current bolt
+    constexpr double more = 1.5;  // another bolt must carry this many times the force of the current one
     int found = held >= 0 && static_cast<std::size_t>(held) < frame.bolts.size() ? held : -1;
     double most = found >= 0 ? more * loadOf(frame, static_cast<std::size_t>(found)) : -1.0;
     for (std::size_t b = 0; b < frame.bolts.size(); ++b)

@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 9> conditionWords{
     "not installed", "intact",   "partly debonded", "debonded", "yielded",
     "face plate lost", "ruptured", "pulled out",      "lost"};
 
-/// Tributary length of a node: half of the distance to either neighbour [m].
+/// Tributary length of a node [m]: half of the distance to each neighbour.
 double lengthOf(const std::vector<BoltNodeFrame>& nodes, std::size_t node) {
     const double from = node > 0 ? nodes[node - 1].s : nodes[node].s;
     const double to = node + 1 < nodes.size() ? nodes[node + 1].s : nodes[node].s;

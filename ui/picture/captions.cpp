@@ -15,13 +15,13 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostOfTitle = 90, mostOfStage = 46;  // letters
-constexpr std::size_t mostNamed = 3;  // of materials, joints and kinds of bolts
+constexpr std::size_t mostNamed = 3;  // number of materials, joint materials or bolt kinds named in a caption
 
 void join(std::string& text, const std::string& part, const char* between) {
     if (!part.empty()) text += (text.empty() ? "" : between) + part;
 }
 
-/// At most `most` letters, so that the text after a name stays on the page.
+/// Shortens a text to at most `most` characters, so that the text after it stays on the page.
 std::string shortened(const std::string& text, std::size_t most) {
     std::size_t letters = 0, at = 0;
     const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // a letter in UTF-8

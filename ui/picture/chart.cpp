@@ -12,9 +12,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr double negligibleSide = 1e-3;  // of the larger side of zero: smaller values do not extend a range
+constexpr double negligibleSide = 1e-3;  // relative to the other side of zero; a smaller side of a range is omitted
 
-/// Of the pieces of one limit on one side of zero, only the last is named.
+/// If a limit has several pieces on one side of zero, only the last piece is named.
 void nameOnce(std::vector<ChartLimit>& limits) {
     for (auto limit = limits.begin(); limit != limits.end(); ++limit)
         if (std::any_of(std::next(limit), limits.end(), [&](const ChartLimit& later) {
@@ -27,8 +27,8 @@ constexpr int mostStageTicks = 8;
 
 using WidthOf = std::function<double(const std::string&)>;
 
-/// Ticks of one stage with at most `most` numbers, none beyond `end`, where the next stage has its first; none if they
-/// would overlap.
+/// Ticks of one stage with at most `most` numbers. Numbers that would extend beyond `end`, where the numbers of the
+/// next stage begin, are omitted. The result is empty if numbers would overlap.
 std::vector<AxisTick> ticksWithin(const StageSpan& span, int most, double end, double perUnit, const WidthOf& widthOf) {
     const Ticks round = roundTicks({0.0, span.reached}, most);
     std::vector<AxisTick> ticks;

@@ -8,7 +8,7 @@ namespace keyblock {
 
 namespace {
 
-/// Keeps the part on the side of `limit` where sign · coordinate is smaller.
+/// Keeps the part of a polygon where sign · (coordinate − limit) is not positive.
 std::vector<Point> halved(const std::vector<Point>& polygon, int axis, double sign, double limit) {
     std::vector<Point> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -17,12 +17,12 @@ namespace keyblock {
 namespace {
 
 constexpr double shownForce = perSi(namedUnit("kN"));
-constexpr double forcesOutside = 0.02;  // of the sum of all forces, carried by forces larger than the longest line
-constexpr double leastLine = 0.01;  // of the longest line: smaller forces are invisible
-constexpr std::size_t manyLines = 2000;  // in view: more than these are thinned out
-constexpr double squares = 1500.0;  // into which the window is then divided
+constexpr double forcesOutside = 0.02;  // share of the sum of all forces carried by forces off the scale
+constexpr double leastLine = 0.01;  // fraction of the longest line; shorter lines are omitted
+constexpr std::size_t manyLines = 2000;  // lines in view; if there are more, they are thinned out
+constexpr double squares = 1500.0;  // to thin out the lines, the view is divided into about this many squares
 
-constexpr double longestOfBlock = 1.2;  // length of the longest line over the size of blocks on paper
+constexpr double longestOfBlock = 1.2;  // length of the longest line relative to the block size on paper
 constexpr double shortestScale = 2.6, longestScale = 8.0, thinnest = 0.12;  // [mm]
 
 bool bears(const ContactFrame& contact) { return contact.state != ContactState::Open; }
@@ -35,7 +35,7 @@ ContactKind contactKindOf(const ContactFrame& contact) {
     }
 }
 
-/// The largest force of each square, in the order of the squares.
+/// The largest force in each square, in the order of the squares.
 std::vector<ContactLine> largestOfEach(const std::vector<ContactLine>& lines, double side) {
     std::map<std::pair<long, long>, std::size_t> kept;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -48,13 +48,13 @@ std::vector<ContactLine> largestOfEach(const std::vector<ContactLine>& lines, do
     return largest;
 }
 
-/// Rounded up to two digits.
+/// Rounds up to two digits.
 double twoDigits(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
     return std::ceil(value / unit * (1.0 - 1e-9)) * unit;
 }
 
-/// Thins out the lines if there are many, and adds a note.
+/// Thins out the lines if there are many, and adds a note on how many are drawn.
 void thinOut(ContactField& field, const Box& window) {
     const std::size_t all = field.lines.size();
     const double smallest = leastLine * field.scale.longest;

@@ -44,7 +44,7 @@ double middleSpacing(const SectionPicture& picture, std::size_t shape, double ap
     return nearest;
 }
 
-/// Crowded bolts, short ones and small scales leave room for marks of failures only.
+/// If bolts are crowded or short, or the scale is small, there is space only for the marks of failures.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes) {
     std::vector<Mark> marks = bolt.marks;
     const double length = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale;

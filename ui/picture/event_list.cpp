@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-/// What happened, after the name of the bolt or block.
+/// Says what happened; the text follows the name of the bolt or block.
 std::string whatOf(const EventKindRow& kind, int count) {
     return count == 1 ? std::string(kind.once) : std::to_string(count) + " " + std::string(kind.more);
 }
@@ -38,7 +38,7 @@ EventEntry entryOf(const RunSource& run, const Event& event) {
     return entry;
 }
 
-/// One entry for each bolt and kind in a stage; one for each block.
+/// Makes one entry for each kind of event of a bolt in a stage, and one entry for each event of a block.
 std::vector<EventEntry> grouped(const RunSource& run, std::span<const Event> events) {
     std::vector<EventEntry> entries;
     for (const Event& event : events) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An edge is divided at corners of its neighbours; a piece is a wall if no block lies
-// just beyond its middle.
+// An edge is divided at the corners of neighbouring blocks. A piece is free if no
+// block lies just beyond its midpoint: it is then a wall or part of the domain's
+// boundary.
 #include "ui/picture/faces.h"
 
 #include "geometry/grid.h"
@@ -62,7 +63,7 @@ private:
         return met;
     }
 
-    /// Fractions of the edge where it is divided, 0 first and 1 last.
+    /// Points at which the edge is divided, as fractions of its length: 0 first and 1 last.
     std::vector<double> partsOf(const Point& a, const Point& b, const std::vector<int>& neighbours) const {
         std::vector<double> places{0.0, 1.0};
         const double length = (b - a).norm();
@@ -89,7 +90,8 @@ private:
         return liesOnBorder(own, middle) ? FaceKind::Border : FaceKind::Wall;
     }
 
-    /// Whether the block of the scene (this block or the one it is cut from) has a face on that side of the domain.
+    /// Whether `place` is on the domain's boundary, according to the faces of the scene's block (this block, or the one
+    /// that it is a sub-block of).
     bool liesOnBorder(const SolvedBlock& own, const Point& place) const {
         if (own.plateOf >= 0) return false;
         const Block& block = scene_.blocks[static_cast<std::size_t>(own.block)];
@@ -106,7 +108,7 @@ private:
     const std::vector<std::vector<Point>>& corners_;
     const std::vector<char>& present_;
     BoxGrid grid_;
-    double near_ = 0.0;  // what is closer counts as touching [m]
+    double near_ = 0.0;  // [m] tolerance for edges that touch
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace keyblock {
 namespace {
 
 constexpr double negligibleEnergy = 1e-3;  // energies below this share of the largest are not shown
-constexpr double noCurve = 1e-5;  // of the largest of its kind: too small to draw or measure
+constexpr double noCurve = 1e-5;  // fraction of the largest value of the same unit; smaller curves are round-off
 
 class HistoryChartBuilder {
 public:
@@ -77,7 +77,7 @@ private:
         return std::move(result_);
     }
 
-    /// A monitor of that name, else another series of the run.
+    /// The series of a monitor with that name, or else another series of the run.
     std::vector<Series> named(const std::string& name) const {
         std::vector<Series> found;
         for (const Series& series : series_)
@@ -112,7 +112,7 @@ private:
         return atFrames ? valuesOf(series, history_, run_.frames()) : valuesOf(series, history_);
     }
 
-    /// Row of the history, or frame, before an event; −1: none.
+    /// Index of the row of the history, or of the frame, before an event; −1: none.
     long placeOf(const Event& event, bool atFrames) const {
         if (!atFrames) return event.historyRow;
         const auto& frames = run_.frames();
@@ -122,7 +122,8 @@ private:
         return after - frames.begin() - 1;
     }
 
-    /// Several series against one, with the events. Series known only at frames are drawn at the frames.
+    /// Plots several series against another one, with the events. If a series is known only at frames, the points are
+    /// those of the frames.
     void addOver(const std::vector<Series>& of, const Series& over) {
         const bool atFrames = over.energy || isOfFrames(of);
         const std::vector<double> x = valuesAt(over, atFrames);
@@ -145,7 +146,7 @@ private:
         addPanels(chart, of, isOfFrames(of) ? frameTimes_ : times_, isOfFrames(of));
     }
 
-    /// A panel for each title, in order of first occurrence.
+    /// Adds a panel for each title, in order of first occurrence.
     void addPanels(Chart& chart, const std::vector<Series>& of, const std::vector<double>& x, bool atFrames = false) {
         std::vector<std::string> titles;
         for (const Series& series : of)
@@ -169,7 +170,7 @@ private:
         curves = 0;
     }
 
-    /// The bolts with the longest debonded lengths.
+    /// Adds the debonded lengths of the bolts that have debonded most.
     void addDebonded(Chart& chart) {
         const BoltQuantityRow& debonded = rowOf(BoltQuantity::DebondedLength);
         std::vector<std::pair<double, Series>> bolts;
@@ -189,7 +190,7 @@ private:
         addPanels(chart, shown, times_);
     }
 
-    /// The largest energies of the frames.
+    /// Adds the largest of the energies stored with the frames.
     void addEnergies(Chart& chart) {
         std::vector<std::pair<double, const FrameQuantity<Energy>*>> rows;
         double largest = 0.0;
@@ -224,8 +225,8 @@ private:
         return largest;
     }
 
-    /// Panels that contain only round-off, relative to others of their unit, are replaced by a note. Moments are also
-    /// compared with the forces, at an arm of 1 m.
+    /// Replaces panels that contain only round-off with a note. Values are compared with those of other panels with the
+    /// same unit, and moments also with the forces times an arm of 1 m.
     void leaveOutNothing(Chart& chart) {
         std::map<std::string, double> largest;
         for (const ChartPanel& panel : chart.panels) {
@@ -254,7 +255,7 @@ private:
     std::vector<HistoryRow> history_;
     std::vector<Event> events_;
     std::vector<Series> series_;
-    std::vector<double> times_, frameTimes_;  // of the history's rows, and of the frames
+    std::vector<double> times_, frameTimes_;  // times of the history's rows and of the frames
     ReferencePlacer placer_;
     HistoryCharts result_;
 };

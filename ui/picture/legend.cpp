@@ -9,7 +9,7 @@ namespace keyblock {
 
 namespace {
 
-/// Position in the colour map of a colour step: the first and the last step have the end colours.
+/// Position of a colour step in the colour map. The first and the last step have the colours of its ends.
 double shareOfStep(int step, int steps) { return steps > 1 ? static_cast<double>(step) / (steps - 1) : 0.5; }
 
 }  // namespace

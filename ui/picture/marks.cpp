@@ -92,7 +92,7 @@ std::vector<Mark> thinned(std::vector<Mark> marks, double least) {
     for (const Mark& mark : marks)
         if (std::none_of(kept.begin(), kept.end(), [&](const Mark& other) { return crowds(other, mark, least); }))
             kept.push_back(mark);
-    std::reverse(kept.begin(), kept.end());  // the most important is drawn last
+    std::reverse(kept.begin(), kept.end());  // the most important mark is drawn last
     return kept;
 }
 

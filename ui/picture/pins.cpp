@@ -12,14 +12,15 @@ namespace keyblock {
 
 namespace {
 
-constexpr double sameCentre = 1e-7;  // [m] smaller changes keep the reference of displacements
+constexpr double sameCentre = 1e-7;  // [m] if the initial centroid changes by more, displacements have restarted
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 
 double twiceArea(const Point& a, const Point& b, const Point& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Barycentric coordinates for three corners far apart; a block moves and strains uniformly, so they stay.
+/// Barycentric coordinates with respect to three corners that are far apart. They stay the same while the block moves,
+/// because it deforms by an affine map.
 std::array<std::pair<std::size_t, double>, 3> sharesOf(const std::vector<Point>& corners, const Point& place) {
     std::size_t second = 1, third = 2;
     const auto away = [&](std::size_t i) { return (corners[i] - corners[0]).norm(); };
@@ -45,7 +46,7 @@ std::optional<Point> placeWithin(const Pin& pin, const std::vector<Point>& corne
     return place;
 }
 
-/// Forces along the steel belong to the element, bond values to the node.
+/// Index of the node row with the pinned value: steel forces belong to elements, bond values to nodes.
 std::size_t rowOf(const Pin& pin) {
     const bool ofElement = rowOf(*pin.ofBolt).part == BoltPart::Element;
     return static_cast<std::size_t>(ofElement || pin.node < 0 ? pin.element : pin.node);
@@ -104,7 +105,7 @@ double PinTrack::valueOf(const Frame& frame) {
     return ofPoint(frame.blocks[block]) * pin_.ofBlock->display.factor;
 }
 
-/// If displacements restart from zero, so do the point's, from its position then.
+/// If the displacements of blocks restart from zero, that of the point does so too, from its position at that time.
 double PinTrack::ofPoint(const BlockState& block) {
     const std::optional<Point> place = placeWithin(pin_, block.points);
     if (!place) return noNumber;

@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double nearFoot = 2.0, step = 2.0, farthest = 40.0;  // of a leader [mm]
+constexpr double nearFoot = 2.0, step = 2.0, farthest = 40.0;  // [mm] distances along a leader
 
 }  // namespace
 

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array<std::string_view, 4> ofBlocks{"sigma1", "sigma3", "displacement", "velocity"};
 
-constexpr double peakBeyond = 0.01;  // relative difference from which a peak is shown next to the current value
+constexpr double peakBeyond = 0.01;  // relative difference above which the peak is shown next to the current value
 
-/// Creates rows in the units and signs of a picture.
+/// Creates rows in the units and sign conventions of a picture.
 struct RowMaker {
     const ShownNumbers& numbers;
     ProbeReading& reading;
@@ -75,7 +75,7 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
     reading.head = shape.name + " at " + numberText(at < shape.s.size() ? shape.s[at] : 0.0, 2) + " m";
     if (bolt >= frame.bolts.size() || at >= frame.bolts[bolt].nodes.size()) return reading;
     BoltNodeFrame node = frame.bolts[bolt].nodes[at];
-    // Steel values belong to the element; at the head the last row's forces are the plate's.
+    // Steel forces belong to the element; those in the row of the head are the forces of the face plate.
     const BoltNodeFrame& element = frame.bolts[bolt].nodes[static_cast<std::size_t>(std::max(pick.element, 0))];
     node.axialForce = element.axialForce;
     node.shearForce = element.shearForce;

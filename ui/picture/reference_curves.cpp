@@ -17,7 +17,7 @@ constexpr std::size_t mostReferences = 4;  // of a panel
 constexpr std::array<CurveStyle, mostReferences> styles{CurveStyle::Reference, CurveStyle::SecondReference,
                                                         CurveStyle::ThirdReference, CurveStyle::FourthReference};
 
-/// A title without a known unit is that of a number.
+/// A title without a known unit belongs to a dimensionless number.
 MeasureUnit unitOfTitle(const std::string& title) {
     return measureUnitOf(partedTitle(title).unit).value_or(MeasureUnit{});
 }
@@ -72,7 +72,8 @@ void ReferencePlacer::place(Chart& chart) {
     }
 }
 
-/// The column of the chart's axis, by its name, else the only one of its measure; in the unit of the axis.
+/// Values for the chart's horizontal axis, in its unit: the column with the name of the axis, or else the only column
+/// of the same kind of quantity.
 std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart, int& found) {
     const ReferenceTable& table = tables_[t];
     const Title axis = partedTitle(chart.xTitle);
@@ -142,7 +143,7 @@ void ReferencePlacer::placeColumn(std::size_t t, std::size_t c, const std::vecto
     }
     if (curve.x.empty()) return;
     used_[t][c] = true;
-    for (ChartCurve& other : panel->curves)  // two curves of one file are named by their columns
+    for (ChartCurve& other : panel->curves)  // two curves from the same file get the names of their columns
         if (isReference(other.style) && other.table == static_cast<int>(t)) {
             other.name = table.name + ": " + other.column;
             curve.name = table.name + ": " + column.name;

@@ -10,7 +10,7 @@ namespace keyblock {
 
 namespace {
 
-/// The limit next to a force diagram as stepped lines, interrupted where there is none.
+/// The limit next to a force diagram as stepped lines, interrupted where there is no limit.
 template <typename Ordinate>
 std::vector<std::vector<Point>> limitLines(const Ribbon& ribbon, const Ordinate& ordinate) {
     std::vector<std::vector<Point>> lines;
@@ -32,7 +32,7 @@ RibbonShape ribbonShape(const Ribbon& ribbon, const std::vector<double>& values,
     RibbonShape shape;
     shape.across = turnLeft(alongOf(nodes));
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double sign = *high >= -*low ? 1.0 : -1.0;  // the larger side points away from the shank
+    const double sign = *high >= -*low ? 1.0 : -1.0;  // the larger values point away from the shank
     const double base = gap + std::max(0.0, sign > 0.0 ? -*low : *high) * room / ribbon.scale;
     const auto ordinate = [&](std::size_t node, double value) {
         return Point(nodes[node] + (base + sign * value * room / ribbon.scale) * shape.across);

@@ -10,9 +10,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr double roomOfDynamic = 3.0;  // pseudo-time 1 of a static stage has 1
+constexpr double roomOfDynamic = 3.0;  // width of a dynamic stage; a static stage is as wide as its pseudo-time
 
-/// The latest time in each stage's data; −1 for one that was not started.
+/// The latest time in the data of each stage; −1 for a stage that was not started.
 std::vector<double> reached(const RunSource& run) {
     std::vector<double> times(run.scene().stages.size(), -1.0);
     const auto see = [&](int stage, double time) {

@@ -18,10 +18,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double margin = 0.3;  // around tunnels and bolts, of their extent
-constexpr double rim = 0.05;  // around a whole model, of its extent
-constexpr double noValue = 1e-4;  // of the legend's range: less is round-off
-constexpr double nearlyAll = 0.6;  // of the model's area: then all of it is shown
+constexpr double margin = 0.3;  // margin around tunnels and bolts, relative to their extent
+constexpr double rim = 0.05;  // margin around a whole model, relative to its extent
+constexpr double noValue = 1e-4;  // fraction of the legend's range; smaller values are round-off
+constexpr double nearlyAll = 0.6;  // if the view covers more than this fraction of the model, all of it is shown
 
 Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
 double areaOf(const Box& box) { return (box.max - box.min).prod(); }
@@ -150,8 +150,8 @@ private:
         shape.marks = marksOf(bolt, shape.bolt, frame, shape.nodes, events_);
     }
 
-    /// At the requested bolt, else at the one with the largest value, unless all are negligible compared with the run
-    /// so far.
+    /// Places the force diagram at the requested bolt, or else at the bolt with the largest value. There is none if all
+    /// values are negligible compared with the range of the legend.
     void chooseRibbon() {
         if (!picture_.boltLegend) return;
         double largest = noValue * picture_.boltLegend->range.high;
@@ -170,7 +170,7 @@ private:
         picture_.ribbon->scale = std::max(largest, picture_.ribbon->limit.value_or(0.0));
     }
 
-    /// The first limit that the values have not passed, however high it is.
+    /// Adds the lowest limit that the values have not exceeded, even if it is far above them.
     void addLimit(Ribbon& ribbon, double largest) const {
         const BoltShape& shape = picture_.bolts[ribbon.shape];
         const auto bolt = static_cast<std::size_t>(shape.bolt);
@@ -190,7 +190,7 @@ private:
         take("peak", peaks);
     }
 
-    /// Events are placed where their node or block is drawn now.
+    /// Places each event where its node or block is drawn in this frame.
     void placeEvents() {
         for (EventEntry& entry : picture_.events.entries) {
             for (const BlockShape& shape : picture_.blocks)
@@ -216,7 +216,8 @@ private:
         const bool anyLeft = std::any_of(picture_.blocks.begin(), picture_.blocks.end(), [&](const BlockShape& shape) {
             return areTouching(boxOf(shape.outline), model);
         });
-        // Blocks that were thrown far away do not shrink the rest, if there is any.
+        // Blocks that were thrown far away do not enlarge the view, as long as a block is left within the model's
+        // initial extent.
         const bool flung = anyLeft && areaOf(drawn) > 6.0 * areaOf(model);
         picture_.model = flung ? model : drawn;
         picture_.window = request_.whole ? withRim(picture_.model) : around(picture_.model);
@@ -235,7 +236,7 @@ private:
         return empty || areaOf(shown) > nearlyAll * areaOf(model) ? withRim(model) : shown;
     }
 
-    /// Margin for names and plates at the ends of bolts.
+    /// Adds a margin for the names and face plates at the ends of bolts.
     static Box withRim(const Box& model) { return grown(model, rim * (model.max - model.min).maxCoeff()); }
 
     const RunSource& run_;

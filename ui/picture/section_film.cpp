@@ -38,7 +38,7 @@ SectionPicture SectionFilm::pictureOf(std::size_t frame, const std::optional<int
     return sectionPicture(run_, request);
 }
 
-/// Extends the shared ranges to those of this picture.
+/// Extends the shared window and the shared scale of the force diagram to include this picture.
 void SectionFilm::settle(const SectionPicture& picture) {
     if (!window_) window_ = picture.window;
     window_ = Box{window_->min.cwiseMin(picture.window.min), window_->max.cwiseMax(picture.window.max)};
@@ -50,7 +50,7 @@ void SectionFilm::settle(const SectionPicture& picture) {
     ribbon_ = bolt.bolt;
 }
 
-/// Events keep their final numbers; events omitted from the final list are omitted here too.
+/// Events get the numbers of the final list; events that are not in that list are omitted here, too.
 void SectionFilm::keepNumbered(EventList& events) const {
     std::vector<EventEntry> kept;
     for (EventEntry& entry : events.entries)

@@ -15,9 +15,9 @@ namespace keyblock {
 namespace {
 
 constexpr int mostTicks = 5;
-constexpr double negligible = 1e-3;  // of the largest value: the sign of smaller values is not shown
-constexpr double shareOutside = 0.02;  // of the rock's area, at either end
-constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] smaller than measurable: values below both are zero
+constexpr double negligible = 1e-3;  // fraction of the largest value; the sign of smaller values is not shown
+constexpr double shareOutside = 0.02;  // fraction of the rock's area that is clipped at either end
+constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [–] and [Pa]; a stress below both limits counts as zero
 
 void gather(const SectionRequest& request, const Frame& frame, std::vector<Weighed>& blocks,
             std::vector<Weighed>& bolts) {
@@ -31,7 +31,7 @@ void gather(const SectionRequest& request, const Frame& frame, std::vector<Weigh
                 bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
 }
 
-/// Bolts are coloured by magnitude, from 0 on.
+/// Bolts are coloured by magnitude, on a scale that starts at 0.
 std::vector<Weighed> magnitudes(std::vector<Weighed> values) {
     for (Weighed& value : values) value.value = std::abs(value.value);
     if (!values.empty()) values.push_back({0.0, 1.0});
@@ -57,7 +57,7 @@ void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display,
                         std::string(display.unit));
 }
 
-/// Rounds the ends of a range, and marks ends that values exceed.
+/// Sets the range of a bar, rounded if requested, and marks the ends that values exceed.
 void takeRange(const ValueRange& range, bool rounded, LegendBar& bar) {
     const bool isSymmetric = bar.map == &tide;
     bar.range = !rounded ? range : isSymmetric ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
@@ -66,7 +66,7 @@ void takeRange(const ValueRange& range, bool rounded, LegendBar& bar) {
     bar.goesAbove = bar.reach.high > bar.range.high;
 }
 
-/// The range of one frame, or the one typed by the user.
+/// Sets the range of one frame, or the range typed by the user.
 void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, LegendBar& bar) {
     bar.scale = choice;
     if (choice.of == ScaleOf::Own && choice.own.low < choice.own.high) takeRange(choice.own, false, bar);
@@ -77,7 +77,7 @@ void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, Le
     if (choice.of == ScaleOf::Own) bar.notes.emplace_back("range set manually");
 }
 
-/// Keeps the limits within the range.
+/// Removes the limits that are outside the range.
 void keepLimitsWithin(LegendBar& bar) {
     std::erase_if(bar.limits,
                   [&](const auto& limit) { return limit.first > bar.range.high || limit.first < bar.range.low; });
@@ -93,7 +93,7 @@ LegendBar barOf(std::string_view quantity, const QuantityDisplay& display) {
     return bar;
 }
 
-/// Round-off level of a quantity of blocks, in the unit shown.
+/// Round-off level of a block quantity, in the unit shown.
 double roundOff(const QuantityDisplay& display, const Scene& scene) {
     double stiffest = 0.0;
     for (const auto& [name, rock] : scene.materials) stiffest = std::max(stiffest, rock.youngsModulus);
@@ -101,7 +101,7 @@ double roundOff(const QuantityDisplay& display, const Scene& scene) {
     return display.unit == "MPa" ? stress * std::abs(display.factor) : 0.0;
 }
 
-/// `whole` is the full range of the quantity's values.
+/// \param whole full range of the quantity's values
 std::optional<LegendBar> blockLegend(const FrameQuantity<BlockState>& quantity, std::vector<Weighed> all,
                                      ValueRange whole, double nothing, bool clips) {
     if (all.empty()) return std::nullopt;
@@ -118,7 +118,7 @@ std::optional<LegendBar> blockLegend(const FrameQuantity<BlockState>& quantity, 
     return bar;
 }
 
-/// Bolts are coloured by magnitude: only one end of Ember contrasts with the background.
+/// Bolts are coloured by magnitude, because only one end of the colour map Ember contrasts with the background.
 std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity, const std::vector<Weighed>& all,
                                     const ValueRange& whole,
                                     const std::vector<std::pair<double, std::string>>& limits) {
@@ -142,7 +142,7 @@ std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity
     return bar;
 }
 
-/// Limits of all bolt types used in the scene, each once.
+/// Limits of all bolt types used in the scene, without duplicates.
 std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, const SectionRequest& request) {
     std::vector<std::pair<double, std::string>> all;
     if (!request.bolts) return all;
@@ -152,7 +152,7 @@ std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, cons
     return all;
 }
 
-/// Side of a square as large as an average solved block [m].
+/// Side of a square with the average area of the solved blocks [m].
 double spacingOf(const Scene& scene) {
     const auto corners = cornersBefore(solvedBlocks(scene));
     double area = 0.0;
@@ -195,7 +195,7 @@ void SectionRanges::add(const Frame& frame) {
     frames_.push_back(std::move(values));
 }
 
-/// Extremes of bolts up to this frame, also between frames.
+/// Extreme values of bolts up to this frame, including those between frames.
 std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
     std::vector<Weighed> found;
     if (!boltQuantity_) return found;
@@ -205,7 +205,7 @@ std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
     return found;
 }
 
-/// Extremes of blocks up to this frame, also between frames.
+/// Extreme values of blocks up to this frame, including those between frames.
 std::vector<Weighed> SectionRanges::blockPeaks(const Frame& frame) const {
     std::vector<Weighed> found;
     if (!blockQuantity_) return found;

@@ -10,7 +10,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastBetweenEvents = 0.005;  // of the chart's width
+constexpr double leastBetweenEvents = 0.005;  // fraction of the chart's width
 
 /// Events closer together than a line width are drawn as one.
 void thinEvents(Chart& chart) {

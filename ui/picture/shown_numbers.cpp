@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// A unit of pictures and the SI unit that replaces it; 1 of it is `factor` in SI.
+/// A unit used in pictures and the SI unit that can replace it. One of the former equals `factor` of the latter.
 struct UnitRow {
     std::string_view usual, si;
     double factor;
@@ -31,8 +31,8 @@ const std::vector<UnitRow>& units() {
     return rows;
 }
 
-/// Smaller values are not measurable, and below double precision for a section of rock.
-constexpr double leastForce = 1e-6, leastOther = 1e-9;  // [MPa, kN, kN m], and of other units
+/// Smaller values are shown as zero: in a section of rock they are round-off and could not be measured.
+constexpr double leastForce = 1e-6, leastOther = 1e-9;  // in MPa, kN or kN m; and in other units
 
 constexpr std::string_view compressionPlus = "compression +", per = " per ";
 
@@ -42,14 +42,15 @@ void scale(std::vector<double>& values, double factor) {
 
 void scale(ValueRange& range, double factor) { range = {range.low * factor, range.high * factor}; }
 
-/// Ticks of a range that may fall; its end values are ticks only if they are round.
+/// Ticks of an ascending or descending range. Its end values are ticks only if they are round.
 Ticks ticksOf(const ValueRange& range, int most) {
     Ticks ticks = roundTicks({std::min(range.low, range.high), std::max(range.low, range.high)}, most);
     if (range.high < range.low) std::reverse(ticks.values.begin(), ticks.values.end());
     return ticks;
 }
 
-/// With the opposite sign the range falls from left to right: each value keeps its colour.
+/// Converts a legend bar. With the opposite sign its range descends from left to right, so that each value keeps its
+/// colour.
 double turn(LegendBar& bar, const ShownNumbers& numbers) {
     const ShownAs shown = shownAs(bar.unit, bar.convention, numbers);
     bar.unit = shown.unit;

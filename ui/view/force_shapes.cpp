@@ -11,14 +11,14 @@ namespace keyblock {
 namespace {
 
 constexpr double arrowWidth = 1.3, rim = 1.2, shortest = 1.5, longestTip = 5.0;  // [px]
-constexpr double contactOpen = 0.3;  // gap in the line of a contact in tension, over half its length
+constexpr double contactOpen = 0.3;  // gap in the line of a contact in tension, relative to its length
 
 class ForceBuilder {
 public:
     ForceBuilder(const Point& origin, double scale, const ViewColours& colours)
         : origin_(origin), scale_(scale), colours_(colours) {}
 
-    /// `value` [px], y upwards.
+    /// Adds an arrow. `value` is its vector in pixels, with y upwards.
     void addArrow(const ArrowMark& mark, const Point& value) {
         const double size = value.norm();
         if (size < shortest) return;
@@ -34,7 +34,7 @@ public:
             add(shapes_.lines, tip, tip - head * along + side * head * turnLeft(along), arrowWidth, colours_.ink);
     }
 
-    /// `length` and `width` [px].
+    /// Adds the line of a contact. `length` and `width` are in pixels.
     void addContact(const ContactLine& line, double length, double width) {
         const Point half = 0.5 * length / scale_ / line.force.norm() * line.force, &at = line.place;
         const double dot = 1e-3 / scale_;

@@ -94,7 +94,7 @@ void Layer::showTriangles(const LayerShapes& shapes) {
     join(shapes.cells);
 }
 
-/// Each line has two corners at each end, which the GPU moves apart.
+/// Each line has two vertices at each end, which the GPU moves apart to give the line its width.
 void Layer::showLines(const LayerShapes& shapes) {
     const std::size_t lines = shapes.cells.size() / 2;
     setCount(4 * lines, !shapes.colours.empty());

@@ -36,7 +36,7 @@ void SectionShapes::addRing(LayerShapes& shapes, const std::vector<Point>& ring,
     }
 }
 
-/// Blocks deform by affine maps, so the triangulation of the initial shape stays valid.
+/// Blocks deform by affine maps, so the triangulation of their initial shape stays valid.
 void SectionShapes::addFilled(LayerShapes& shapes, const std::vector<Point>& outline,
                               const std::vector<Point>& tiledBy) const {
     if (outline.size() < 3 || outline.size() != tiledBy.size()) return;

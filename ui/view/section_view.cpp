@@ -22,7 +22,7 @@ constexpr double seamsOfJoints = 0.8, seamOpacity = 0.35;
 
 }  // namespace
 
-/// From bottom to top.
+/// The layers, from bottom to top.
 struct SectionView::Layers {
     explicit Layers(vtkRenderer& to)
         : openings(to, LayerForm::Triangles, 0), blocks(to, LayerForm::Triangles, 1), joints(to, LayerForm::Lines, 2),
@@ -116,7 +116,7 @@ void SectionView::laySized(const SectionPicture& picture) {
     on.casings.setWidth(shank * casingOfShank * pixelRatio_);
 }
 
-/// Contact forces are those visible to the camera.
+/// Lays out the forces; of the contact forces, only those in `window`, the visible part of the section.
 void SectionView::layForces(const SectionPicture& picture, const Box& window) {
     const ForceShapes forces = forceShapes(picture, origin_, 1.0 / (laidAt_ * pixelRatio_), colours_, window);
     layers_->rims.show(forces.rims);

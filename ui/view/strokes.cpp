@@ -10,8 +10,8 @@ namespace keyblock {
 
 namespace {
 
-// A point on a line is given by its distance along the line from the start and across it, in pixels. Lines thinner
-// than a pixel are fainter.
+// The coordinates of a point relative to a line are in pixels: along the line from its start, and across it. Lines
+// thinner than a pixel are drawn fainter.
 constexpr const char* cornerValues = R"(//VTK::PositionVC::Dec
 in vec4 strokeWay;
 out vec2 strokePlace;
