@@ -25,7 +25,7 @@ Edit lost(Scene scene, const std::string& pointer) {
                    "There is nothing at " + (pointer.empty() ? "the scene itself" : pointer) + " to change.");
 }
 
-/// Built-in types are shared with other scenes.
+/// True for a built-in bolt type or a part of one; built-in types are shared by all scenes.
 bool isBuiltIn(const Scene& scene, const std::string& pointer) {
     const std::vector<std::string> parts = partsOf(pointer);
     if (parts.size() < 2 || parts[0] != "bolt_types") return false;
@@ -38,7 +38,7 @@ Edit refusedBuiltIn(Scene scene, const std::string& pointer) {
                                          " is built in. Copy it to change it.");
 }
 
-/// True if the value has the type of the field's kind.
+/// True if the value has the type required by the field's kind.
 bool hasKind(const Field& field, const FieldValue& value) {
     switch (field.kind) {
         case FieldKind::Flag: return std::holds_alternative<bool>(value);
@@ -74,7 +74,7 @@ std::string shapeProblem(const Field& field, const FieldValue& value) {
     return {};
 }
 
-/// False if there is no type of that name, or if the types would be derived from each other in a circle.
+/// False if there is no bolt type of that name, or if types would be derived from each other in a circle.
 bool staysLike(Scene scene, const std::string& pointer, const FieldValue& value) {
     const auto* name = std::get_if<std::string>(&value);
     if (!name || name->empty()) return true;

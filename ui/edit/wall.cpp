@@ -20,7 +20,7 @@ std::optional<TunnelProfile> profileOf(const SceneTunnel& tunnel) {
     return tunnelProfile(shapeOf(tunnel));
 }
 
-/// Checks the edges of an outline with the rock inside; true if one is nearer than the best so far.
+/// Finds the edge nearest to `place` on an outline with the rock inside. True if it is nearer than the best so far.
 bool lookAt(const std::vector<Point>& points, const Point& place, double& radius, std::optional<WallPlace>& best) {
     bool nearer = false;
     if (points.size() < 3 || !std::all_of(points.begin(), points.end(), isUsable)) return nearer;
@@ -78,7 +78,7 @@ std::vector<Point> wallBetween(const SceneTunnel& tunnel, double from, double to
     const auto profile = profileOf(tunnel);
     if (!profile) return {};
     const double run = runAlong(tunnel, from, to, way), sign = way == Way::CounterClockwise ? 1.0 : -1.0;
-    // Adds the polygon's corners in between, so that the line follows the wall that is shown.
+    // Adds the polygon's corners in between, so that the line follows the wall as it is drawn.
     std::vector<double> stops{0.0, run};
     for (const ProfilePiece& piece : profile->pieces)
         for (int i = 0; i < piece.edges; ++i) {

@@ -25,14 +25,14 @@ namespace keyblock {
 namespace {
 
 constexpr int formWidth = 300;  // [px]
-constexpr double filmWidth = 160.0;  // [mm] width of the paper on which frames of an animation are painted
-constexpr const char* pictureFolder = "png";  // format of an animation
+constexpr double filmWidth = 160.0;  // [mm] paper width of the frames of an animation
+constexpr const char* pictureFolder = "png";  // format of an animation saved as a folder of images
 
 QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
 
 enum class Extent { Around, Whole, Screen };
 
-/// Opens without a scroll bar, however the style measures its rows.
+/// Shows all entries without a scroll bar, in every style.
 void showAllEntries(QComboBox& combo) { combo.setMaxVisibleItems(24); }
 
 QStringList formatsOf(ExportForm::Kind kind) {
@@ -50,7 +50,7 @@ PaperFormat paperOf(const QString& format) {
     return format == "svg" ? PaperFormat::Svg : format == "png" ? PaperFormat::Png : PaperFormat::Pdf;
 }
 
-/// The folder of the run, unless the program chose that itself.
+/// The folder of the run, or the user's documents if the run is in the program's own data folder.
 QString folderFor(const std::filesystem::path& store) {
     const QString folder = QString::fromStdString(store.parent_path().string());
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -190,7 +190,7 @@ void ExportForm::choose(ExportWhat what) {
 
 ExportForm::Kind ExportForm::kind() const { return static_cast<Kind>(std::max(0, kind_->currentIndex())); }
 
-/// Arrows are scaled by their own frame, so an animation has none.
+/// Arrows are scaled to the largest arrow of their frame, so an animation cannot show them.
 void ExportForm::allowArrows(bool allowed) {
     auto* model = qobject_cast<QStandardItemModel*>(blocks_->model());
     for (const std::string_view word : arrowWords()) {
@@ -246,7 +246,7 @@ void ExportForm::setSize(FigureRequest& request) const {
     if (kind() != Kind::Film) return;
     const double pixels = pixels_->currentData().toDouble();
     request.dpi = static_cast<int>(std::lround(25.4 * pixels / filmWidth));
-    request.width = 25.4 * pixels / request.dpi;  // so that the width in pixels is exact
+    request.width = 25.4 * pixels / request.dpi;  // makes the width in pixels exact
 }
 
 void ExportForm::setMoment(FigureRequest& request) const {

@@ -59,7 +59,8 @@ bool isThere(const RunSource& run, FigureKind kind) {
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
 
-/// The thread may be waiting for the window's thread, which is this one.
+/// Processes posted events while it waits, because the thread may be waiting for the window's thread, which is this
+/// one.
 ExportJob::~ExportJob() {
     stop_ = true;
     while (!ended_) {
@@ -112,7 +113,7 @@ QString ExportJob::perform(const ExportOrder& order) {
     return {};
 }
 
-/// Charts are widgets.
+/// Charts are widgets, so they are painted in the window's thread.
 std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request, bool withData,
                              const std::filesystem::path& out) {
     std::size_t written = 0;
@@ -148,7 +149,7 @@ std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& or
         FigureRequest request = order.figure;
         request.kind = kind;
         if (kind != FigureKind::Section) request.quantity.reset();
-        if (kind == FigureKind::Curves) request.filter = {};  // curves are of the whole run
+        if (kind == FigureKind::Curves) request.filter = {};  // curves always cover the whole run
         request.filter.bolt = bolt;
         const std::string ending = endings[static_cast<std::size_t>(request.format)];
         written += paint(run, request, false, order.out / (request.runName + "-" + name + ending));
@@ -165,7 +166,7 @@ void ExportJob::tell(const QString& what, std::size_t done, std::size_t all) {
     QMetaObject::invokeMethod(this, [=, this] { Q_EMIT advanced(what, int(done), int(all)); }, Qt::QueuedConnection);
 }
 
-/// Exceptions of the task are rethrown here.
+/// Runs a task in the window's thread. Exceptions of the task are rethrown here.
 void ExportJob::inWindow(const std::function<void()>& task) {
     std::exception_ptr thrown;
     QMetaObject::invokeMethod(qApp, [&] {

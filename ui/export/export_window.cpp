@@ -26,9 +26,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr int previewWidth = 620, previewDpi = 110;  // [px], of a sheet of 160 mm about as wide
+constexpr int previewWidth = 620, previewDpi = 110;  // [px], and [dpi] for a sheet 160 mm wide
 
-/// The figure as it will be printed, smaller; errors become a message.
+/// The figure as it will be printed, but smaller. If it cannot be painted, `message` says why.
 struct Preview {
     QImage image;
     QString message;
@@ -62,7 +62,7 @@ std::string bytesOf(const RunSource& run, const ExportOrder& order) {
     return paintFigure(run, figure).bytes;
 }
 
-/// \param run null: read the store, on another thread.
+/// \param run null: the run is read from its store, on another thread
 Copied copyOf(const RunSource* run, const ExportOrder& order) {
     try {
         return {QByteArray::fromStdString(run ? bytesOf(*run, order) : bytesOf(RunStore(order.store), order)), {}};
@@ -198,7 +198,7 @@ void ExportWindow::showPreview(const QImage& image, const QString& message) {
     else picture_->setPixmap(QPixmap::fromImage(image.scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
-/// Copies a figure as it would be printed at the chosen resolution; a table as text.
+/// Copies a figure as it would be printed at the chosen resolution, or a table as text.
 void ExportWindow::copy() {
     if (!now_.run) return;
     const auto copied = [this, isText = form_->kind() == ExportForm::Kind::Numbers](const Copied& made) -> Background::Result {
@@ -214,7 +214,7 @@ void ExportWindow::copy() {
     copying_->ask([asked, copied] { return copied(copyOf(nullptr, asked)); });
 }
 
-/// Path of the file, or of the folder for images or all files; empty: cancelled.
+/// Asks for the path of the file, or of the folder if images or all files are exported. Empty: cancelled.
 QString ExportWindow::askPlace() {
     const QString start = form_->suggested(), ending = form_->ending();
     if (!ending.isEmpty()) return askSavePath(*this, tr("Export"), start + '.' + ending, "*." + ending, ending);

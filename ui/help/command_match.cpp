@@ -14,7 +14,7 @@ constexpr int wordBegins = 100, within = 60, scattered = 30;
 
 bool beginsWord(const QString& name, int place) { return place == 0 || !name[place - 1].isLetterOrNumber(); }
 
-/// Letters in order, possibly with others between; fewer gaps are better.
+/// Finds the letters in the given order, possibly with others in between. The fewer gaps, the better the match.
 int matchOfLetters(const QString& word, const QString& name) {
     int place = -1, jumps = 0;
     for (const QChar letter : word) {

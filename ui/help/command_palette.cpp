@@ -31,7 +31,7 @@ constexpr char recentKey[] = "palette/recent";
 
 QString nameOf(const QAction* action) { return action->text().remove(QStringLiteral("…")).remove('&'); }
 
-/// Icon, name, menu and keys on one row.
+/// Paints the icon, name, menu and keys of a command in one row.
 class Row : public QStyledItemDelegate {
 public:
     Row(const Commands& commands, const Themes& themes, QObject* parent)
@@ -164,7 +164,7 @@ void CommandPalette::place() {
     move((parentWidget()->width() - this->width()) / 2, top);
 }
 
-/// Only after the mouse has moved, not when the list moves under it.
+/// Selects the row under the mouse, but only if the mouse has moved and not the list under it.
 void CommandPalette::chooseUnderMouse() {
     const QPoint mouse = QCursor::pos();
     if (mouse == mouse_) return;

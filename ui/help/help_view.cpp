@@ -57,7 +57,7 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
     text_->setObjectName("help.text");
     text_->setAccessibleName(tr("Help text"));
     text_->setOpenLinks(false);
-    text_->setWordWrapMode(QTextOption::WordWrap);  // a table that needs more width scrolls
+    text_->setWordWrapMode(QTextOption::WordWrap);  // wider tables scroll horizontally
     text_->setFrameShape(QFrame::NoFrame);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 6, 8, 6);
@@ -81,7 +81,7 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
     if (!helpPages().empty()) open(helpPages().front().name);
 }
 
-/// In a tab group the dock has no header for this button.
+/// A close button of its own, because a dock in a tab group has no header with one.
 QWidget* HelpView::makeCloseButton() {
     auto* button = new QToolButton(this);
     button->setObjectName("help.close");
@@ -108,13 +108,13 @@ void HelpView::open(const QString& name, const QString& words, int occurrence) {
         text_->verticalScrollBar()->setValue(0);
         return;
     }
-    // Repeated once a dock that was opened for it has its width, and the page its line breaks.
+    // Repeated later, when a dock that was just opened has its final width, and the page its line breaks.
     QTimer::singleShot(settleTime, this, [=, this] {
         if (shown_ == name) goTo(words, occurrence);
     });
 }
 
-/// The page as its own document, built before it is shown: laying it out after each change would take seconds.
+/// Formats the page as a separate document before it is shown: laying it out after each change would take seconds.
 void HelpView::setPage(const QString& markdown) {
     auto* made = new QTextDocument(text_);
     made->setDefaultFont(text_->font());
@@ -122,12 +122,12 @@ void HelpView::setPage(const QString& markdown) {
     made->setMarkdown(markdown);
     makeReadable(*made);
     QTextDocument* before = text_->document();
-    const bool isOurs = before->parent() == text_;  // the first one belongs to the browser, which deletes it with the next
+    const bool isOurs = before->parent() == text_;  // the browser deletes its first document itself
     text_->setDocument(made);
     if (isOurs) before->deleteLater();
 }
 
-/// Qt's Markdown has neither our sizes nor our colours.
+/// Sets our sizes and colours, which Qt's Markdown reader does not know.
 void HelpView::makeReadable(QTextDocument& document) const {
     const Theme& t = themes_.current();
     QTextCursor cursor(&document);
@@ -142,7 +142,7 @@ void HelpView::makeReadable(QTextDocument& document) const {
         cursor.setBlockFormat(room);
         if (level == 0) continue;
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
-        QTextCharFormat heading;  // replaces the size from Markdown, which is relative to points only
+        QTextCharFormat heading;  // replaces the heading sizes of Markdown, which need a size in points
         heading.setProperty(QTextFormat::FontPixelSize, headingSizes[static_cast<std::size_t>(std::min(level, 6))]);
         heading.setFontWeight(QFont::DemiBold);
         heading.setForeground(t.text);
@@ -159,7 +159,7 @@ void HelpView::makeReadable(QTextDocument& document) const {
     cursor.endEditBlock();
 }
 
-/// A slash separates a heading from a word below it: `bolt/length`.
+/// Scrolls to words on the page. A slash separates a heading from a word below it, as in `bolt/length`.
 bool HelpView::goTo(const QString& words, int occurrence) {
     QTextCursor found(text_->document());
     const QStringList steps = words.split('/');
@@ -174,7 +174,7 @@ bool HelpView::goTo(const QString& words, int occurrence) {
             found = next;
         }
     if (!found.hasSelection()) return false;
-    text_->moveCursor(QTextCursor::End);  // so that the found line is at the top
+    text_->moveCursor(QTextCursor::End);  // so that the line that is found is at the top
     text_->setTextCursor(found);
     text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + text_->cursorRect(found).top() - 24);
     return true;

@@ -182,7 +182,7 @@ void KeySheet::restore() {
     for (const QKeySequence& keys : action->shortcuts()) takeFromOthers(keys, action);
 }
 
-/// A shortcut of two commands would be ambiguous and do nothing.
+/// Removes the keys from any other command: a shortcut of two commands would be ambiguous and do nothing.
 void KeySheet::takeFromOthers(const QKeySequence& keys, const QAction* owner) {
     QAction* other = commandWithKeys(commands_, keys, owner);
     if (!other) return;

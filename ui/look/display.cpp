@@ -20,7 +20,7 @@ ShownUnit practicalUnit(std::string_view symbol) {
     return {textOf(symbol), unit ? perSi(*unit) : 1.0};
 }
 
-constexpr double plainBelow = 1e6;  // larger numbers have powers of ten
+constexpr double plainBelow = 1e6;  // larger numbers are written with powers of ten
 
 }  // namespace
 
@@ -59,7 +59,7 @@ QString Display::summary() const {
 
 QString Display::number(double shown, int digits) {
     if (!std::isfinite(shown)) return QString::fromUtf8("–");
-    QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // zero has no sign
+    QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // zero is shown without a sign
     const bool isWhole = std::abs(shown) >= 1.0 && std::abs(shown) < plainBelow;
     if (isWhole && text.contains('e')) text = QString::number(text.toDouble(), 'f', 0);  // 1000, not 1e3
     const int exponent = text.indexOf('e');

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// lupdate finds the texts where the solver marks them: translatable("Fields", …).
+// These texts are marked with translatable("Fields", …) in the solver, where lupdate
+// finds them.
 #include "ui/look/field_text.h"
 
 #include <QCoreApplication>

@@ -87,18 +87,18 @@ QByteArray resource(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Long role names first, so that `@text` does not replace the beginning of `@text2`.
+/// Replaces long role names first, so that `@text` does not replace the beginning of `@text2`.
 QString styleSheetOf(const Theme& theme) {
     QString sheet = QString::fromUtf8(resource(":/look/studio.qss"));
     const QHash<QString, QColor> roles = rolesOf(theme);
     QStringList names = roles.keys();
     std::sort(names.begin(), names.end(), [](const QString& a, const QString& b) { return a.size() > b.size(); });
-    sheet.replace("@theme", theme.dark ? "dark" : "light");  // in names of icons
+    sheet.replace("@theme", theme.dark ? "dark" : "light");  // part of the names of icons
     for (const QString& name : names) sheet.replace('@' + name, roles[name].name());
     return sheet;
 }
 
-/// The icon at 1, 1.5, 2 and 3 times its size, so that it is sharp on any screen.
+/// Adds the icon at 1, 1.5, 2 and 3 times its size, so that it is sharp on any screen.
 void addDrawing(QIcon& icon, const QByteArray& drawing, const QColor& colour, QIcon::Mode mode, QIcon::State state) {
     QByteArray inked = drawing;
     inked.replace("currentColor", colour.name().toLatin1());

@@ -48,7 +48,7 @@ AnchorLine::AnchorLine(const Themes& themes, QWidget* parent) : QWidget(parent),
 }
 
 void AnchorLine::present(std::vector<double> nodes, std::vector<bool> real, bool plate, bool editable) {
-    if (nodes.size() != nodes_.size() || !editable) from_.reset(), to_.reset();  // the check uses other nodes
+    if (nodes.size() != nodes_.size() || !editable) from_.reset(), to_.reset();  // a drag in progress used other nodes
     nodes_ = std::move(nodes);
     real_ = std::move(real);
     plate_ = plate;
@@ -76,7 +76,7 @@ bool AnchorLine::shownReal(std::size_t i) const {
 }
 
 void AnchorLine::paintTicks(QPainter& painter) const {
-    std::vector<std::size_t> ends;  // of intervals of bonded nodes
+    std::vector<std::size_t> ends;  // ends of the intervals with bonded nodes
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const bool begins = shownReal(i) && (i == 0 || !shownReal(i - 1));
         const bool stops = shownReal(i) && (i + 1 == nodes_.size() || !shownReal(i + 1));
@@ -188,7 +188,7 @@ void AnchorStrip::setObject(const std::string& pointer) {
     refresh();
 }
 
-/// Nodes as laid out by the check if it belongs to this scene, else evenly spaced.
+/// Positions of the nodes: as laid out by the check if it belongs to this scene, otherwise evenly spaced.
 std::vector<double> AnchorStrip::nodesNow(int pattern, std::size_t bolt, double length,
                                           std::optional<int> divisions) const {
     const Checked& checked = context_.document.checked();

@@ -129,7 +129,7 @@ void CellTable::copy() const {
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 
-/// Spreadsheets separate cells by tabs, other tables by semicolons.
+/// Cells are separated by tabs if they were copied from a spreadsheet, otherwise by semicolons.
 void CellTable::paste() {
     const QString text = QApplication::clipboard()->text();
     const QChar between = text.contains('\t') ? '\t' : ';';

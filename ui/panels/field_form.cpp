@@ -24,7 +24,7 @@ namespace keyblock {
 
 namespace {
 
-/// Two shapes are equal if no widget must be added or removed.
+/// The structure of a form. Two structures are equal if no widget must be added or removed.
 QStringList shapeOf(const std::vector<FormGroup>& groups) {
     QStringList shape;
     for (const FormGroup& group : groups) {
@@ -42,7 +42,7 @@ QString lowered(QString text) {
     return text;
 }
 
-/// `J1`, `load 2 of stage burst`, `3 joint sets`.
+/// The object or objects of a row, such as `J1`, `load 2 of stage burst` or `3 joint sets`.
 QString subjectOf(const Scene& scene, const FormRow& row) {
     if (row.pointers.size() > 1) return countedOf(*row.structure, static_cast<int>(row.pointers.size()));
     const std::string object = row.renames ? row.pointers.front() : parentOf(row.pointers.front());

@@ -10,7 +10,7 @@ namespace keyblock {
 
 namespace {
 
-/// The map of the scene that holds the named object; null: the field names none, or one that is drawn in the section.
+/// The map of the scene that contains the named object. Null if the field names no object, or one drawn in the section.
 const Field* mapOf(const FormRow& row) {
     if (row.field->kind != FieldKind::Text || row.field->names.size() != 1) return nullptr;
     const Field* list = findField(sceneStructure(), row.field->names.front());

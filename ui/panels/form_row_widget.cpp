@@ -72,14 +72,14 @@ void FormRowWidget::layOut() {
     grid->setColumnStretch(0, 1);
     const bool wide = editor_->isWide();
     const bool acrossUnit = editor_->tellsUnit();
-    const bool isPlace = row_.field->kind == FieldKind::Vector && row_.field->unit == "m";  // two numbers need room
+    const bool isPlace = row_.field->kind == FieldKind::Vector && row_.field->unit == "m";  // two numbers need space
     const int forUnit = isPlace ? metreWidth : unitWidth;
     grid->addWidget(label_, 0, 0);
     if (wide) {
         grid->addWidget(editor_, 1, 0, 1, 4);
     } else {
         const int span = acrossUnit ? 2 : 1;
-        const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its space to the label
+        const bool flag = row_.field->kind == FieldKind::Flag;  // a check box leaves space for its label
         const int further = acrossUnit ? gap + unitWidth : unitWidth - forUnit;
         const bool leads = namesObject(row_);
         const int forTarget = leads ? gap + arrowSize : 0;

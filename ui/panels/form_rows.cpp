@@ -14,13 +14,13 @@ namespace keyblock {
 
 namespace {
 
-/// An object that the form shows, with its pointer.
+/// An object shown in the form, with its pointer.
 struct Shown {
     std::string pointer;
     ObjectAt at;
 };
 
-/// Parts of the scene that have their own row in the tree.
+/// Whether the field is a part of the scene that has its own row in the tree.
 bool standsInTree(const Field& field) { return field.kind != FieldKind::Object || field.nullable; }
 
 bool appliesToAll(const std::vector<Shown>& objects, const Field& field) {
@@ -63,7 +63,7 @@ class Groups {
 public:
     explicit Groups(std::vector<FormGroup>& groups) : groups_(groups) {}
 
-    /// Rows of the objects' own fields, then groups for nested objects.
+    /// Adds rows for the fields of the objects themselves, then groups for nested objects.
     void addObjects(const std::vector<Shown>& objects, const std::string& prefix, const QString& title, int depth) {
         const Structure& structure = *objects.front().at.structure;
         std::vector<FormGroup> own;
@@ -106,7 +106,7 @@ private:
         if (field.nullable && objects.size() == 1) groups_[first].remove = under(objects.front().pointer, field.key);
     }
 
-    /// A list or a map: one heading with its count, then a group for each item.
+    /// Adds a list or a map: one heading with the number of items, then a group for each item.
     void addList(const Shown& owner, const Field& field, const std::string& path, int depth) {
         const std::size_t count = field.children.count(owner.at.object);
         FormGroup head = absent(owner, field, path, depth);
@@ -153,7 +153,7 @@ private:
     std::vector<FormGroup>& groups_;
 };
 
-/// Entries of a map have no field for their name, but users look for one.
+/// Adds a row for the name of a map entry. The name is the key and not a field, but users look for it among the fields.
 void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
     static const Field nameField{.key = "name", .kind = FieldKind::Text,
                                  .help = "Name used by other objects to refer to this one.", .required = true};
@@ -169,7 +169,7 @@ void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
     groups.front().rows.insert(groups.front().rows.begin(), std::move(row));
 }
 
-/// Several objects cannot share one name.
+/// Removes the rows for names, because several objects cannot share one name.
 void withoutNames(std::vector<FormGroup>& groups) {
     for (FormGroup& group : groups)
         std::erase_if(group.rows, [](const FormRow& row) { return isName(*row.field); });

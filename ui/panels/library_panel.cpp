@@ -43,7 +43,7 @@ QTreeWidget* makeTree(QWidget* parent, const QString& name) {
     return tree;
 }
 
-/// `my-rebar-20`: another number in the name would suggest another bolt.
+/// Name of the user's own copy of a type, such as `my-rebar-20`: a number after `rebar-20` would suggest another bolt.
 std::string nameOfOwn(const Scene& scene, const std::string& name) {
     const std::string base = name.starts_with("my-") ? name : "my-" + name;
     std::string own = base;

@@ -38,7 +38,7 @@ QString withUnit(double value, std::string_view unit, const Display& display) {
     return numberText(value, unit, display, 3) + ' ' + display.shown(unit).symbol;
 }
 
-/// `20 mm · 154 / 198 kN`.
+/// Diameter, and yield and tensile strength, such as `20 mm · 154 / 198 kN`.
 QString detailOf(const BoltType& type, const Display& display) {
     QString text = QString::fromStdString(lengthText(type.diameter, display.numbers()));
     const BoltSteel steel = boltSteel(type);
@@ -103,7 +103,7 @@ private:
     std::vector<LibraryNumber> rows_;
 };
 
-/// The same law at other positions.
+/// Whether two bonds have the same law, regardless of their positions.
 bool sameLaw(Anchor a, const Anchor& b) {
     a.at = b.at;
     a.from = b.from;

@@ -82,12 +82,12 @@ void LineEditor::enter() {
     if (row_.mixed && text.trimmed().isEmpty()) return showText(false);
     const auto typed = readValue(text, *row_.field, unitOf(row_.at, *row_.field), context_.display);
     if (!typed.value) return Q_EMIT refused(typed.problem);
-    shown_ = text;  // entered once, by Enter or on losing the focus
+    shown_ = text;  // entered only once, either by Enter or by losing the focus
     Q_EMIT entered(*typed.value);
 }
 
 void LineEditor::setRefused(bool refused) {
-    if (refused) shown_.clear();  // read again at the next Enter
+    if (refused) shown_.clear();  // so that the next Enter reads it again
     refused_ = refused;
     line_->setProperty("invalid", refused);
     line_->style()->unpolish(line_);

@@ -35,7 +35,7 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     return label;
 }
 
-/// Null if it was stopped or memory ran out.
+/// Null if the count was stopped or memory ran out.
 std::shared_ptr<const ModelSummary> modelSummaryOf(const Scene& solved, const SceneCut* cut,
                                                    const std::atomic<bool>& stop) {
     try {
@@ -100,7 +100,8 @@ QWidget* ModelSummaryPanel::makeCosts() {
     return costs_;
 }
 
-/// One below the other; in a low panel names and values share lines so that the button is never clipped.
+/// Places the costs one below the other. In a low panel, names and values share lines, so that the button is never
+/// clipped.
 void ModelSummaryPanel::placeCosts() {
     delete costs_->layout();
     auto* grid = new QGridLayout(costs_);
@@ -168,7 +169,7 @@ void ModelSummaryPanel::setBusy(bool busy) {
     run_->setEnabled(false);
 }
 
-/// Cancels the count in progress and drops its result.
+/// Cancels the count in progress and discards its result.
 void ModelSummaryPanel::cancel() {
     if (stop_) *stop_ = true;
     stop_.reset();

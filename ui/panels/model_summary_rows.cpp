@@ -20,7 +20,7 @@ struct SummaryTexts {
 
 QString number(double value) { return Display::number(value, 12); }
 
-/// Two digits: an estimate is no more accurate than that.
+/// Rounds to two digits: an estimate is no more accurate than that.
 QString rough(double value) {
     const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
     return Display::number(std::round(value / size) * size, 12);

@@ -25,7 +25,7 @@ struct DetailTexts {
     Q_DECLARE_TR_FUNCTIONS(ObjectDetail)
 };
 
-/// Describes objects of one kind.
+/// Describes an object in a few words, depending on its kind.
 struct Teller {
     const Document& document;
     const Display& display;

@@ -68,7 +68,7 @@ Slivers sliversOf(const Scene& scene, const SceneCut& cut) {
     slivers.width = 1e-2 * std::sqrt(mean);
     std::vector<Point> corners;
     for (const Block& block : cut.scene.blocks) {
-        if (block.faces.empty()) continue;  // given as it is, not cut
+        if (block.faces.empty()) continue;  // given in the scene, not made by cutting
         const double area = std::abs(signedArea(block.points));
         if (area >= leastArea && 2.0 * area / perimeterOf(block.points) >= slivers.width) continue;
         ++slivers.count;

@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostNotes = 200;  // listed for each kind
+constexpr std::size_t mostNotes = 200;  // notes of each kind that are listed
 
 struct RowTexts {
     Q_DECLARE_TR_FUNCTIONS(Problems)
@@ -31,7 +31,7 @@ QString withCapital(QString text) {
     return text;
 }
 
-/// The part of the scene that a pointer belongs to.
+/// The name of the part of the scene that a pointer belongs to.
 QString roomOf(const std::string& pointer) {
     const QString key = QString::fromStdString(pointer).section('/', 1, 1);
     static const std::map<QString, const char*> rooms{
@@ -137,7 +137,7 @@ private:
         return numberText(value, unit, display_, 3) + ' ' + display_.shown(unit).symbol;
     }
 
-    /// `4 merged traces, 2 trimmed ends`.
+    /// The number of notes of each kind, such as `4 merged traces, 2 trimmed ends`.
     QString counts(const std::map<CutNoteKind, int>& kinds) const {
         QStringList parts;
         for (const auto& [kind, count] : kinds) {
@@ -179,7 +179,7 @@ private:
         return row;
     }
 
-    /// Sources of the cut count joints first, then joint sets.
+    /// The cut numbers its sources with the joints first, then the joint sets.
     QString pointerOfSource(int source) const {
         const int joints = static_cast<int>(scene_.joints.size()), sets = static_cast<int>(scene_.jointSets.size());
         if (source >= 0 && source < joints) return QString("/joints/%1").arg(source);

@@ -69,7 +69,7 @@ QSize ProblemRowPaint::sizeHint(const QStyleOptionViewItem&, const QModelIndex& 
 }
 
 QRect ProblemRowPaint::linkOf(const QRect& row, const QString& link, const QFont& font) {
-    // Slightly wider than necessary, because elision rounds.
+    // Slightly wider than necessary, because eliding works with rounded widths.
     const int width = QFontMetrics(problemFont(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;
     return {row.right() - problemInset - width, row.top(), width, row.height()};
 }
@@ -160,7 +160,7 @@ void ProblemsPanel::follow(int row) {
         return refresh();
     }
     if (!chosen.remedy) return showRow(row);
-    // Messages of an older check may refer to other objects by now.
+    // Messages of an outdated check may refer to other objects by now.
     if (document_.checkIsCurrent()) document_.apply(chosen.remedy->text, chosen.remedy->edit(*document_.scene()));
 }
 

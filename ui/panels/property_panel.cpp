@@ -143,7 +143,7 @@ void PropertyPanel::follow() {
     if (!pin_->isChecked()) present(selection_.pointers());
 }
 
-/// Goes to an object named in a field; built-in types cannot be edited.
+/// Selects an object named in a field. Built-in types, which cannot be edited, are shown in the library.
 void PropertyPanel::goTo(const QString& pointer) {
     const Scene& scene = *context_.document.scene();
     const std::vector<std::string> parts = partsOf(pointer.toStdString());
@@ -165,7 +165,7 @@ void PropertyPanel::present(const QStringList& pointers) {
     showFoot();
 }
 
-/// Help on the objects shown, until a field has the focus.
+/// Shows help on the selected objects, until a field has the focus.
 void PropertyPanel::showFoot() {
     const auto at = objectAt(*context_.document.scene(), form_->objects().front());
     if (!at) return;

@@ -29,7 +29,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int openByItself = 12;  // rows; headings with more rows are closed at first
+constexpr int openByItself = 12;  // headings with more rows are closed at first
 
 QToolButton* headerButton(QWidget* header, const QString& name) {
     auto* button = new QToolButton(header);
@@ -109,7 +109,7 @@ void SceneTree::makeHeader() {
     header_->setAttribute(Qt::WA_StyledBackground);
     header_->setFixedHeight(30);
     auto* row = new QHBoxLayout(header_);
-    row->setContentsMargins(12, 4, 6, 4);  // a dock uses the size hint of its content, not its height
+    row->setContentsMargins(12, 4, 6, 4);  // a dock uses the size hint of its header, not its fixed height
     row->setSpacing(4);
     auto* title = new QLabel(tr("Scene"), header_);
     title->setObjectName("dockTitle");
@@ -136,7 +136,7 @@ void SceneTree::makeHeader() {
     });
 }
 
-/// Drawn objects come from the commands; other objects are added with default values.
+/// Objects to be drawn have commands of their own; other objects are added with default values.
 void SceneTree::fillAddMenu() {
     addMenu_->clear();
     for (QAction* action : commands_.all())
@@ -195,7 +195,7 @@ void SceneTree::refresh() {
     showSelection();
 }
 
-/// The row of an object; opens the lists above it.
+/// The row of an object. Opens the lists that contain it.
 QModelIndex SceneTree::openTo(const QString& pointer) {
     QModelIndex found = model_->indexOf(pointer);
     if (found.isValid()) return found;
@@ -207,7 +207,7 @@ QModelIndex SceneTree::openTo(const QString& pointer) {
     return model_->indexOf(pointer);
 }
 
-/// Consecutive rows form one range. Only a new selection is scrolled to.
+/// Selects consecutive rows as one range. Scrolls only to a new selection.
 void SceneTree::showSelection() {
     const QScopedValueRollback<bool> following(follows_, true);
     QItemSelection chosen;

@@ -83,7 +83,7 @@ void StressStrip::setObject(const std::string& pointer) {
     if (isShown) fill();
 }
 
-/// Fills the inputs from the scene, with the units and sign shown.
+/// Fills the input fields from the scene, in the units and the sign convention shown.
 void StressStrip::fill() {
     const Scene& scene = *context_.document.scene();
     const DepthStress depth = suggestedDepthStress(scene);
@@ -124,7 +124,7 @@ void StressStrip::setValue(std::size_t field, double value) {
     fields_[field].editor->setCursorPosition(0);
 }
 
-/// Marks a field whose text is not a number.
+/// Reads the number in a field, and marks the field if its text is not a number.
 std::optional<double> StressStrip::valueOf(std::size_t field) {
     QLineEdit& editor = *fields_[field].editor;
     const auto typed = readNumber(editor.text(), fields_[field].unit, context_.display);

@@ -23,7 +23,7 @@ QFont tickFont() {
     return font;
 }
 
-/// Margin around the curve: from zero if that is near, 8 % above.
+/// Range of an axis around the curve. It starts at zero if that is near; other ends get a margin of 8 %.
 QCPRange roomFor(double least, double most) {
     if (least > 0.0 && least < 0.5 * most) least = 0.0;
     if (most < 0.0 && most > 0.5 * least) most = 0.0;
@@ -42,7 +42,7 @@ TableChart::TableChart(const Themes& themes, QWidget* parent)
     layout->addWidget(plot_);
     setFixedHeight(chartHeight);
     plot_->setNoAntialiasingOnDrag(true);
-    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);  // the panel below scrolls
+    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);  // lets the mouse wheel scroll the panel below
     plot_->addGraph();
     paintAxes();
     connect(&themes, &Themes::changed, this, [this] {

@@ -112,7 +112,7 @@ void TableEditor::present(const FormRow& row) {
     row_ = row;
     table_->setHeadings(headings());
     std::vector<QStringList> texts = row.mixed ? std::vector<QStringList>{} : textsOf(row.value);
-    // Keeps input that is not a value yet, and does not rewrite an unchanged text under the cursor.
+    // Keeps input that is not a valid value yet, and does not rewrite an unchanged text while it is edited.
     if (other || (!refused_ && texts != table_->rows())) table_->setRows(texts);
     shown_ = std::move(texts);
     if (!chart_) return;
@@ -171,7 +171,7 @@ NamesEditor::NamesEditor(const FormContext& context, QWidget* parent)
     ticks_->setSpacing(2);
 }
 
-/// Keeps the boxes, and with them the focus, if the names are the same.
+/// Keeps the check boxes, and with them the focus, if the names have not changed.
 void NamesEditor::present(const FormRow& row) {
     row_ = row;
     const auto* chosen = std::get_if<std::vector<std::string>>(&row.value);

@@ -12,7 +12,8 @@ namespace {
 
 const QString draggedType = QStringLiteral("application/x-keyblock-row");
 
-/// A long list that was opened keeps its rows for the deferred ones of a new tree if their number is equal.
+/// Whether two trees have the same rows. A long list that was opened is equal to a list that is still to be filled if
+/// both have the same number of rows.
 bool sameRows(const TreeNode& a, const TreeNode& b) {
     if (a.id != b.id) return false;
     if (b.waiting > 0) return a.waiting == b.waiting || static_cast<int>(a.children.size()) == b.waiting;
@@ -148,7 +149,7 @@ bool TreeModel::canDropMimeData(const QMimeData* dragged, Qt::DropAction, int ro
     return dragged->hasFormat(draggedType) && row >= 0 && nodeAt(parent).takesDrops;
 }
 
-/// Moves the row to the drop position; the view must not remove the old row itself.
+/// Moves the row to the drop position, so the view must not remove the old row.
 bool TreeModel::dropMimeData(const QMimeData* dragged, Qt::DropAction action, int row, int column,
                              const QModelIndex& parent) {
     if (!canDropMimeData(dragged, action, row, column, parent) || !move_) return false;

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int longList = 60;  // entries; longer lists are filled when opened
+constexpr int longList = 60;  // lists with more entries are filled only when they are opened
 
 struct NodeTexts {
     Q_DECLARE_TR_FUNCTIONS(SceneTree)
@@ -48,7 +48,7 @@ public:
         return root;
     }
 
-    /// Rows of a list or a map.
+    /// Rows for the entries of a list or a map.
     Children entries(const QString& list) {
         Children rows;
         const std::size_t count = countOf(list);
@@ -110,7 +110,7 @@ private:
         return node;
     }
 
-    /// Adds the heading unless the filter removes all of it.
+    /// Adds the heading unless the filter matches neither the heading nor any of its rows.
     void addHeading(TreeNode& root, std::unique_ptr<TreeNode> node) {
         if (!source_.filter.isEmpty() && node->children.empty() && !matches(*node)) return;
         addChild(root, std::move(node));
@@ -144,7 +144,7 @@ private:
         addHeading(root, std::move(node));
     }
 
-    /// Blocks given in the scene, and the number of blocks after cutting.
+    /// Adds the blocks given in the scene; the heading shows the number of blocks after cutting.
     void addBlocks(TreeNode& geometry) {
         auto blocks = heading("/blocks", NodeTexts::tr("Blocks"), "block", true);
         const auto& cut = source_.document.checked().cut;

@@ -26,7 +26,7 @@ QFont treeFont(const QFont& base, int pixels, QFont::Weight weight) {
     return font;
 }
 
-/// Objects that can be picked with the mouse.
+/// Only objects that can be picked with the mouse can be locked.
 bool canLock(const TreeNode& node) { return node.isObject && node.hasPlace; }
 
 }  // namespace
@@ -42,7 +42,7 @@ QRect TreeRows::lockOf(const QRect& row) { return eyeOf(row).translated(-iconSiz
 
 QSize TreeRows::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const { return {80, rowHeight}; }
 
-/// Paints eye, lock and badge from the right; returns the right limit for texts.
+/// Paints the eye, the lock and the badge from the right. Returns the right limit of the texts.
 int TreeRows::paintRight(QPainter& painter, const QRect& row, const TreeNode& node, bool selected) const {
     const Theme& t = themes_.current();
     const bool hidden = visibility_.isHidden(node.id);

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostTicks = 40;  // names to tick; longer lists are typed
+constexpr std::size_t mostTicks = 40;  // names with check boxes; longer lists are typed
 
 ValueEditor* editorOf(const FormRow& row, const FormContext& context, QWidget* parent) {
     switch (row.field->kind) {

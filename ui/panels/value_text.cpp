@@ -19,7 +19,7 @@ struct ValueTexts {
     Q_DECLARE_TR_FUNCTIONS(ValueText)
 };
 
-/// 736.8 kN/m means exactly 736800 N/m, without the round-off of the product with a factor.
+/// Removes the round-off of a multiplication, so that 736.8 kN/m means exactly 736800 N/m.
 double withoutRoundOff(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 15).toDouble() : value;
 }
@@ -28,7 +28,7 @@ double fromShown(double shown, double factor) {
     return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor));
 }
 
-/// −1 for a stress shown with compression positive.
+/// −1 for a stress if compression is shown as positive, otherwise 1.
 double signOf(const Field& field, const Display& display) {
     return field.isStress && display.compressionPositive() ? -1.0 : 1.0;
 }
@@ -52,7 +52,7 @@ QString axisText(const Point& axis, const Display& display, bool exact) {
     return pointText(axis, {}, display, exact);
 }
 
-/// Numbers separated by semicolons or commas; surrounding brackets are ignored.
+/// Reads numbers separated by semicolons or commas; surrounding brackets are ignored.
 Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view unit, const Display& display) {
     text = text.trimmed();
     if ((text.startsWith('(') && text.endsWith(')')) || (text.startsWith('[') && text.endsWith(']')))
@@ -78,7 +78,7 @@ Typed<FieldValue> readPoint(const QString& text, std::string_view unit, const Di
     return {FieldValue(Point((*numbers.value)[0], (*numbers.value)[1])), {}};
 }
 
-/// `sign` times the value typed; zero has no sign.
+/// The typed value times `sign`; zero never gets a sign.
 double withSign(double sign, double typed) { return typed == 0.0 ? 0.0 : sign * typed; }
 
 Typed<FieldValue> readTriple(const QString& text, double sign, std::string_view unit, const Display& display) {

@@ -13,14 +13,14 @@ namespace keyblock {
 
 namespace {
 
-/// −1: no bolt has this name.
+/// Index of the bolt or pattern with this name; −1 if there is none.
 template <typename Things>
 int rowOf(const Things& things, const std::string& name) {
     const auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });
     return found == things.end() ? -1 : static_cast<int>(found - things.begin());
 }
 
-/// The pattern of a bolt named PATTERN.3; empty: a single bolt.
+/// The pattern of a bolt with a name such as `P1.3`; empty for a single bolt.
 std::string patternOf(const Scene& scene, const Bolt& bolt) {
     const std::size_t dot = bolt.name.rfind('.');
     if (dot == std::string::npos) return {};
@@ -28,7 +28,7 @@ std::string patternOf(const Scene& scene, const Bolt& bolt) {
     return rowOf(scene.boltPatterns, name) < 0 ? std::string() : name;
 }
 
-/// Row in `/bolts/3` of a scene; −1 for other pointers.
+/// Index of the bolt that a pointer such as `/bolts/3` refers to; −1 for other pointers.
 int boltAt(const Scene& scene, const QString& pointer) {
     bool isNumber = false;
     const int row = pointer.startsWith("/bolts/") ? pointer.section('/', 2, 2).toInt(&isNumber) : -1;
@@ -46,7 +46,7 @@ BoltChoice::BoltChoice(const Document& document, Selection& selection, const Tim
     });
 }
 
-/// The first selected bolt.
+/// Index of the first selected bolt among the bolts of the run; −1: none.
 int BoltChoice::selectedRow() const {
     if (!cursor_.run()) return -1;
     const Scene& drawn = *document_.scene();

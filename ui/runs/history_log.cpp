@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A few rows arrive at a time, thirty times a second; the last chunk is copied with
-// them until it is no longer small. Chunks that were handed out do not change.
+// Rows arrive a few at a time, thirty times a second. The last chunk is copied and
+// extended with them as long as it is small, so chunks that were handed out do not
+// change.
 #include "ui/runs/history_log.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostLoaded = 6;  // frames
-constexpr std::size_t mostSamples = 400;  // of diagnostics: twice the number of pixels of a strip
+constexpr std::size_t mostSamples = 400;  // diagnostic samples kept: twice the width of a strip in pixels
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void LiveRun::append(LiveBatch batch) {
     if (batch.health) addHealth(*batch.health);
 }
 
-/// When there are too many samples, pairs are merged, and each new one covers twice as many steps.
+/// Adds a sample. If there are too many, neighbouring pairs are merged, and each new sample covers twice as many steps.
 void LiveRun::addHealth(const HealthSample& sample) {
     if (!health_.empty() && pendingJoins_ > 0 && health_.back().stage == sample.stage) {
         health_.back() = joined(health_.back(), sample);

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int readingTime = 250;  // [ms] of reading, before incomplete curves are shown
+constexpr int readingTime = 250;  // [ms] of reading frames, after which incomplete curves are shown
 
 bool areAlike(const LiveRun& a, const LiveRun& b) {
     return a.blockNames() == b.blockNames() && a.scene().bolts == b.scene().bolts;
@@ -57,7 +57,7 @@ void Pins::clear() {
     Q_EMIT changed();
 }
 
-/// Pins stay when another run of the same blocks and bolts is shown.
+/// Pins are kept when another run of the same blocks and bolts is shown.
 void Pins::runChanged() {
     const auto before = std::exchange(run_, cursor_.run());
     if (tracks_.empty()) return;

@@ -26,11 +26,10 @@ namespace keyblock {
 namespace {
 
 constexpr int interval = 33;  // [ms] between two reads of the feed
-constexpr int niceness = 5;  // a third of the processor if the window needs all of it
-constexpr double leastFraction = 0.005;  // below it the remaining time is a guess
+constexpr int niceness = 5;  // leaves a third of a processor to the run if the window is busy
+constexpr double leastFraction = 0.005;  // smallest fraction for which the remaining time is estimated
 
-/// Keeps the window responsive during a run that uses every processor; threads started from this one inherit the
-/// priority.
+/// Keeps the window responsive while a run uses every processor. Threads started from this one inherit the priority.
 void giveWayToTheWindow() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness); }
 
 /// Requires a scene that can be run. \throws std::runtime_error with the first error.
@@ -73,7 +72,7 @@ void RunSession::start() {
     });
 }
 
-/// Turns every exception into a message; the thread always ends.
+/// Turns every exception into a message, so that the thread always ends normally.
 void RunSession::work(Ending& ending) {
     try {
         runIt(ending);
@@ -209,7 +208,7 @@ void RunSession::tellEnding() {
     }
 }
 
-/// A stage before the last may have been unstable, or blocks may fall in one that reached its duration.
+/// A stage before the last may have been unstable, or blocks may still be falling in a stage that reached its duration.
 QString RunSession::finishedMessage() const {
     for (const StageResult& result : ending_.stages) {
         if (result.unstable.empty()) continue;
@@ -242,7 +241,7 @@ QString RunSession::stageText() const {
     const int stage = run_->progress() ? run_->progress()->stage : 0;
     const QString at = tr("Stage %1 of %2").arg(stage + 1).arg(run_->scene().stages.size());
     const std::string name = stageName(run_->scene(), stage);
-    const bool says = name == "stage " + std::to_string(stage + 1);  // as new ones are called
+    const bool says = name == "stage " + std::to_string(stage + 1);  // default name: it only repeats the number
     return says ? at : tr("%1 · %2").arg(at, QString::fromStdString(name));
 }
 

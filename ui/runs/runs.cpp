@@ -31,7 +31,7 @@ int numberOf(const QString& path, const QString& stem) {
     return isNumber ? number : 0;
 }
 
-/// Reads the summary of a store, unless an entry of the same time has it already.
+/// Makes the entry of a store. Reads the summary unless an earlier entry of the same file time has it already.
 RunEntry entryOf(const QString& path, const QString& stem, const std::vector<RunEntry>& before) {
     RunEntry entry;
     entry.path = path;
@@ -86,7 +86,7 @@ Runs::Runs(Document& document, TimeCursor& cursor, QObject* parent)
 
 Runs::~Runs() = default;
 
-/// Finished runs belong to the previous document; a run in progress stays.
+/// Called when the document is replaced. Finished runs belong to the previous document; a run in progress stays.
 void Runs::leave() {
     ++documents_;
     opened_.clear();
@@ -98,7 +98,7 @@ void Runs::leave() {
     Q_EMIT shownChanged();
 }
 
-/// Keeps the run shown in the list when the scene gets another file.
+/// The run that is shown stays in the list of runs, even if its store does not belong to the document's file.
 void Runs::keepShown() {
     const std::vector<QString> found = stores();
     if (cursor_.run() && std::find(found.begin(), found.end(), shown()) == found.end()) opened_ = shown();
@@ -114,7 +114,7 @@ QString Runs::stem() const {
     return document_.title().replace(QRegularExpression("[^\\w.-]+"), "-");
 }
 
-/// Next to a saved document: STEM.kbrun and STEM-1.kbrun, ….
+/// Stores of the document's runs, such as STEM.kbrun and STEM-1.kbrun next to a saved document, and the opened store.
 std::vector<QString> Runs::stores() const {
     std::vector<QString> found;
     const QDir all(folder());
@@ -203,7 +203,7 @@ void Runs::resume(const QString& store) {
 void Runs::begin(const QString& store, bool resume) {
     RunOrder order;
     order.scene = document_.committed();
-    // Reuses the check of the scene; if the scene has errors, the run checks it itself and reports them.
+    // Reuses the check of the scene. If the scene has errors, the run repeats the check and reports them.
     const Checked& checked = document_.checked();
     if (checked.scene == order.scene && !hasErrors(checked.problems)) order.cut = checked.cut;
     order.store = store.toStdString();
@@ -253,7 +253,7 @@ void Runs::stopForClosing() {
 }
 
 void Runs::openNewest() {
-    if (isRunning()) return;  // it is shown as soon as it has a frame
+    if (isRunning()) return;  // a run in progress is shown as soon as it has a frame
     const auto newest = std::ranges::find_if(entries_, [](const RunEntry& entry) { return entry.summary.has_value(); });
     if (newest != entries_.end()) open(QString(newest->path));
 }
@@ -266,7 +266,7 @@ void Runs::open(const QString& store) {
             auto run = LiveRun::opened(store.toStdString());
             const RunSummary summary = runSummary(store.toStdString());
             return [this, documents, run = std::move(run), hash = summary.sceneHash] {
-                if (documents != documents_) return;  // the request was for another document
+                if (documents != documents_) return;  // the document has been replaced meanwhile
                 shownHash_ = QString::fromStdString(hash);
                 showRun(run, false);
                 keepShown();

@@ -17,13 +17,13 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostValues = 100000;  // frames kept for ranges
-constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // whose values are kept
-constexpr std::size_t mostRead = 600;  // frames of a stored run, evenly spread
+constexpr std::size_t mostValues = 100000;  // block values kept for the ranges, in all frames together
+constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // limits of the number of frames whose values are kept
+constexpr std::size_t mostRead = 600;  // frames read from a stored run, evenly spread
 
 }  // namespace
 
-/// Legends of a run in progress. Used by one thread at a time.
+/// Ranges and legends of a run. Used by one thread at a time.
 struct SectionFeed::Ranges {
     std::shared_ptr<const LiveRun> run;
     const FrameQuantity<BlockState>* blocks;
@@ -33,9 +33,9 @@ struct SectionFeed::Ranges {
     std::optional<std::pair<int, long>> newest;  // stage and step of the last frame added
     std::optional<SectionLegends> legends;
     ScaleChoices scales;  // of these legends
-    int held = -1;  // the most loaded bolt of the run so far
+    int held = -1;  // index of the most loaded bolt of the run so far
 
-    /// \param scene whose steel limits are used
+    /// \param scene its bolt types give the steel limits
     Ranges(std::shared_ptr<const LiveRun> of, const Scene& scene, const SectionRequest& request)
         : run(std::move(of)), blocks(request.blocks), bolts(request.bolts), contacts(request.contacts),
           ranges(scene, request) {}
@@ -60,13 +60,13 @@ struct SectionFeed::Ranges {
         legends.reset();
     }
 
-    /// All frames of a store, or an evenly spread subset, until the job is superseded.
+    /// Adds all frames of a store, or an evenly spread subset. Stops if the job is superseded.
     void addStored(const LiveRun& of, std::size_t count, const Background& job) {
         const std::size_t read = std::min(count, mostRead);
         for (std::size_t i = 0; i < read && !job.isOvertaken(); ++i) {
             const Frame frame = of.frame(read == 1 ? 0 : i * (count - 1) / (read - 1));
             &of == run.get() ? add(frame) : widen(frame);
-            if (&of == run.get() && i + 1 == read) held = mostLoadedBolt(frame);  // of the whole run
+            if (&of == run.get() && i + 1 == read) held = mostLoadedBolt(frame);  // its peaks are of the whole run
         }
     }
 
@@ -102,7 +102,7 @@ void SectionFeed::showResults(bool results) {
 
 bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment(); }
 
-/// A newly chosen run is shown.
+/// Shows the results of the newly chosen run.
 void SectionFeed::runChanged() {
     if (cursor_.run()) results_ = true;
     goesOn_ = cursor_.goesOn();
@@ -113,7 +113,7 @@ void SectionFeed::runChanged() {
     make();
 }
 
-/// Before that, ranges covered only the frames shown.
+/// Gathers the ranges of all stored frames; during the run, ranges covered only the frames that were shown.
 void SectionFeed::runEnded() {
     if (ranges_ && showsResults()) gatherRanges();
     else ranges_.reset();
@@ -130,7 +130,7 @@ SectionRequest SectionFeed::request() const {
     request.everyContact = true;
     request.factor = choice.factor;
     request.scales = choice.scales;
-    if (other_)  // with single frames each, the two would have different scales
+    if (other_)  // scales of single frames would differ between the runs
         for (auto& [quantity, scale] : request.scales)
             if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;
     if (!choice.callOuts) request.mostEvents = 0;
@@ -186,8 +186,8 @@ void SectionFeed::shareRanges(std::shared_ptr<const LiveRun> other, bool leads) 
     make();
 }
 
-/// Reads values of stored frames while painting continues. Two runs with shared ranges are read in the same order, so
-/// that both get the same ranges.
+/// Reads the values of stored frames while painting continues. Two runs that share their ranges are read in the same
+/// order by both feeds, so that both get the same ranges.
 void SectionFeed::gatherRanges() {
     const std::size_t count = cursor_.run()->frames().size(), others = other_ ? other_->frames().size() : 0;
     if (count + others < 2) return;
@@ -197,7 +197,7 @@ void SectionFeed::gatherRanges() {
             ranges->addStored(*ranges->run, count, gathering_);
             if (other && leads) ranges->addStored(*other, others, gathering_);
         } catch (const std::exception&) {
-            // A store that cannot be read is reported by painting; ranges use the readable frames.
+            // Painting reports a store that cannot be read; the ranges use the frames that were readable.
         }
         return [this, ranges, other] {
             if (other == other_) takeRanges(ranges);

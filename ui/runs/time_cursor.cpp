@@ -14,7 +14,7 @@ namespace keyblock {
 namespace {
 
 constexpr double framesPerSecond = 25.0;
-constexpr int shortestInterval = 33;  // [ms] faster playback skips frames
+constexpr int shortestInterval = 33;  // [ms] between frames; faster playback skips frames
 
 StageTime timeOf(const FrameHead& head) { return {head.stage, head.time}; }
 StageTime timeOf(const Event& event) { return {event.stage, event.time}; }
@@ -46,7 +46,7 @@ void TimeCursor::grown() {
     const bool first = !live_ && run_->frames().size() == 1;
     if (live_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
     Q_EMIT runGrew();
-    // Progress alone shows nothing new, nor does a paused run that is read again.
+    // A progress report alone shows nothing new, nor does a paused run that is read again.
     const ShownFrame& newest = run_->newest();
     const Followed now{newest.frame ? newest.frame->stage : -1, newest.frame ? newest.frame->step : -1,
                        newest.frame ? newest.frame->time : 0.0, run_->frames().size()};
@@ -126,7 +126,8 @@ void TimeCursor::goLive() {
     Q_EMIT moved();
 }
 
-/// Target of a step. From between stored frames one step back leads to the last of them.
+/// Index of the frame that a step leads to. From a live state after the last stored frame, one step back leads to that
+/// frame.
 long TimeCursor::stepFrom(int by) const {
     const bool between = live_ && !frame();
     return static_cast<long>(frame_) + by + (between && by < 0 ? 1 : 0);
@@ -163,7 +164,7 @@ void TimeCursor::end() {
     if (run_ && !run_->frames().empty()) show(run_->frames().size() - 1);
 }
 
-/// The last frame that is not later.
+/// The last frame that is not later than `time`.
 std::optional<std::size_t> TimeCursor::frameAt(const StageTime& time) const {
     const auto& frames = run_->frames();
     const auto after = std::upper_bound(frames.begin(), frames.end(), time, [](const StageTime& t, const FrameHead& f) {
@@ -173,7 +174,7 @@ std::optional<std::size_t> TimeCursor::frameAt(const StageTime& time) const {
     return static_cast<std::size_t>(after - frames.begin()) - 1;
 }
 
-/// The first frame that shows an event of the run.
+/// The first frame that already includes an event of the run.
 std::optional<std::size_t> TimeCursor::frameAfter(long event) const {
     const auto& frames = run_->frames();
     const auto after = std::upper_bound(frames.begin(), frames.end(), event, [](long e, const FrameHead& f) {
@@ -183,7 +184,7 @@ std::optional<std::size_t> TimeCursor::frameAfter(long event) const {
     return static_cast<std::size_t>(after - frames.begin());
 }
 
-/// The frame of the state just before an event, if that state was kept.
+/// The frame with the state just before an event, if that state was stored.
 std::optional<std::size_t> TimeCursor::frameBefore(long event) const {
     const std::size_t end = frameAfter(event).value_or(run_->frames().size());
     if (end == 0 || timeOf(run_->frames()[end - 1]) != timeOf(run_->eventList()[static_cast<std::size_t>(event)]))

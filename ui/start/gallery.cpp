@@ -23,8 +23,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr int galleryGap = 28, galleryRim = 44, foot = 28, leastForTitle = 560;  // [px]
-constexpr QSize pictureSize(500, SampleCard::picture);  // wider than a card, which shows its middle
+constexpr int gap = 28, rim = 44, foot = 28, leastForTitle = 560;  // [px]
+constexpr QSize pictureSize(500, SampleCard::picture);  // wider than a card, which shows only the middle
 
 struct Kind {
     const char* text;
@@ -144,7 +144,7 @@ void Gallery::askForPictures() {
 void Gallery::resizeEvent(QResizeEvent* event) {
     for (QWidget* words : {title_, hint_}) words->setVisible(width() >= leastForTitle);
     QWidget::resizeEvent(event);
-    QMetaObject::invokeMethod(this, [this] { place(); }, Qt::QueuedConnection);  // once the scroll area has its size
+    QMetaObject::invokeMethod(this, [this] { place(); }, Qt::QueuedConnection);  // after the scroll area has its size
 }
 
 bool Gallery::eventFilter(QObject* watched, QEvent* event) {
@@ -161,7 +161,7 @@ bool Gallery::eventFilter(QObject* watched, QEvent* event) {
     return true;
 }
 
-/// Moves the focus between visible cards by their positions.
+/// Moves the focus from card to card with the arrow keys, among the visible cards.
 void Gallery::step(SampleCard* from, int columns, int key) {
     std::vector<SampleCard*> shown;
     std::ranges::copy_if(cards_, std::back_inserter(shown), [](SampleCard* card) { return !card->isHidden(); });

@@ -196,7 +196,7 @@ void ImportWindow::showLayers() {
         role->setObjectName("import.role." + textOf(layer.name));
         connect(role, qOverload<int>(&QComboBox::activated), this, [this, role, name = textOf(layer.name)] {
             const int chosen = role->currentData().toInt();
-            // Deferred: the result recreates the boxes.
+            // Deferred, because the new import recreates this box.
             if (chosen >= 0) QTimer::singleShot(0, this, [this, name, chosen] { setRole(name, LayerRole(chosen)); });
         });
         layers_->setItemWidget(item, 1, role);
@@ -205,11 +205,11 @@ void ImportWindow::showLayers() {
     layers_->header()->resizeSection(1, 110);
 }
 
-/// Imported entities, counted; then each skipped one with its line and reason.
+/// Lists the imported entities with their number, then each skipped entity with its line and the reason.
 void ImportWindow::showAccount() {
     account_->clear();
     for (const ImportRow& row : attempt_->import.rows) {
-        if (row.became == "skipped") continue;  // listed one by one
+        if (row.became == "skipped") continue;  // skipped entities are listed one by one below
         auto* item = new QTreeWidgetItem(
             account_, {textOf(row.kind), textOf(row.layer), QString::number(row.count), textOf(row.became)});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);

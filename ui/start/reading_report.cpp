@@ -19,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostText = 4 << 20;  // bytes shown at most
+constexpr int mostText = 4 << 20;  // [bytes] longer texts are truncated
 
 QString titleOf(const PartReading& reading) {
     const QString file = QFileInfo(reading.path).fileName();

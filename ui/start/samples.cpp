@@ -48,7 +48,7 @@ bool hasDynamicStage(const JsonNode& root) {
     return list && std::ranges::any_of(*list, [](const JsonNode& stage) { return textAt(stage, "/kind") == "dynamic"; });
 }
 
-/// Whether expected values have close tolerances and none is taken from the program itself.
+/// Whether all expected values have close tolerances and none is a result of the program itself.
 bool isVerification(const JsonNode& root) {
     const JsonNode* expected = nodeAt(root, "/about/expected");
     const auto* list = expected ? std::get_if<JsonList>(&expected->value) : nullptr;

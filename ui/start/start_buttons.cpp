@@ -30,7 +30,7 @@ QFont sized(const QFont& base, int pixels, bool bold = false) {
     return font;
 }
 
-/// One line of text, elided if it is too long; returns its width.
+/// Draws one line of text, elided if it is too long. Returns its width.
 int line(QPainter& painter, const QRect& place, const QString& words, const QFont& font, const QColor& colour,
          Qt::Alignment edge = Qt::AlignLeft) {
     painter.setFont(font);
@@ -40,7 +40,7 @@ int line(QPainter& painter, const QRect& place, const QString& words, const QFon
     return painter.fontMetrics().horizontalAdvance(shown);
 }
 
-/// The first line is broken between words, the rest is on the second.
+/// Draws text on two lines: the first is broken between words, and the second has the rest.
 void twoLines(QPainter& painter, const QRect& first, const QString& words, const QFont& font, const QColor& colour) {
     QTextLayout layout(words, font);
     layout.beginLayout();

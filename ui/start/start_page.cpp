@@ -174,7 +174,7 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     return button;
 }
 
-/// Icons of commands follow the theme, buttons copied from them do not.
+/// Updates the icons of buttons: those of commands follow the theme, but their copies on buttons do not.
 void StartPage::showIcons() {
     for (QPushButton* button : side_->findChildren<QPushButton*>()) {
         const QString id = button->property(commandKey).toString();
@@ -249,7 +249,7 @@ void StartPage::showRecovery() {
     const std::vector<Abandoned> found = lookForAbandoned();
     for (std::size_t i = 0; i < std::min(found.size(), mostBoxes); ++i) {
         auto* box = new RecoveryBox(found[i], rooms_.themes, this);
-        // Deferred, because the box is deleted by its action.
+        // Deferred, because the action deletes the box.
         connect(box, &RecoveryBox::recoverWanted, this, [this](const Abandoned& abandoned, Recover what) {
             QTimer::singleShot(0, this, [=, this] { Q_EMIT recoverWanted(abandoned, what); });
         });
@@ -293,7 +293,7 @@ void StartPage::follow() {
     if (isVisible()) stackAboveDocks();
 }
 
-/// On a narrow screen the samples need the space of icons and keys.
+/// Hides icons and keys on a narrow screen, where the samples need the space.
 void StartPage::fitSide(bool narrow) {
     side_->setFixedWidth(narrow ? narrowSide : sideWidth);
     for (QPushButton* button : side_->findChildren<QPushButton*>())
@@ -302,7 +302,7 @@ void StartPage::fitSide(bool narrow) {
         for (QLabel* keys : side_->findChildren<QLabel*>(name)) keys->setVisible(!narrow);
 }
 
-/// Above the docks only: the palette and other overlays stay in front.
+/// Raises the page above the docks but below the palette and other overlays.
 void StartPage::stackAboveDocks() {
     std::vector<QWidget*> above;
     bool isBehind = true;
@@ -316,7 +316,7 @@ void StartPage::stackAboveDocks() {
     for (QWidget* widget : above) widget->raise();
 }
 
-/// Docks and their tabs are raised when they are shown; the page stays above them.
+/// Keeps the page above docks and their tabs, which are raised when they are shown.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     const bool isSized = watched == parentWidget() && (type == QEvent::Resize || type == QEvent::LayoutRequest);

@@ -18,10 +18,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double large = 160.0;  // height from which marks are drawn [px]
+constexpr double large = 160.0;  // [px] height of a picture from which marks are drawn
 constexpr std::size_t manyBlocks = 12;
-constexpr double mostHeart = 0.7;  // of the rock's extent
-constexpr double widest = 1.8;  // share of the height that the relevant part may be wide; a card may clip more
+constexpr double mostHeart = 0.7;  // if the main part exceeds this fraction of the rock's extent, all rock is shown
+constexpr double widest = 1.8;  // largest width of the main part, relative to the height; a card may clip the rest
 
 QColor colourOf(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
@@ -30,7 +30,8 @@ void widen(Box& box, const Point& p) {
     box.max = box.max.cwiseMax(p);
 }
 
-/// Tunnels and bolts of rock in many blocks with some rock around them; none if that is nearly everything.
+/// Box around the tunnels and bolts, with some rock around them, if the rock has many blocks. There is none if the box
+/// would contain nearly everything.
 std::optional<Box> heartOf(const SectionPicture& picture) {
     if (picture.blocks.size() <= manyBlocks || (picture.bolts.empty() && picture.walls.empty())) return {};
     const Point first = picture.walls.empty() ? picture.bolts.front().nodes.front() : picture.walls.front().from;

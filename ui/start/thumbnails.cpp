@@ -22,15 +22,16 @@ namespace keyblock {
 
 namespace {
 
-constexpr int painting = 2;  // increment when the picture of a scene changes
-constexpr qint64 largest = 64 << 20;  // bytes of a scene file at most
+constexpr int painting = 2;  // to be incremented whenever scenes are painted differently
+constexpr qint64 largest = 64 << 20;  // [bytes] size limit of a scene file
 
 struct Painted {
     QImage image;
     SceneFacts facts;
 };
 
-/// Changes whenever the picture would: with the file, its size on the screen, the theme and the program.
+/// The name depends on everything that changes the picture: the file's content, the size on the screen, the theme and
+/// the program version.
 QString cacheFile(const QByteArray& content, QSize size, double ratio, bool dark) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(content);
@@ -48,7 +49,7 @@ bool load(const QString& file, double ratio, Painted& painted) {
     return true;
 }
 
-/// A picture that cannot be saved is painted again next time.
+/// If a picture cannot be saved, it is painted again next time.
 void keep(const QString& file, Painted painted) {
     painted.image.setText("blocks", QString::number(painted.facts.blocks));
     painted.image.setText("bolts", QString::number(painted.facts.bolts));
@@ -64,7 +65,7 @@ int count(const std::vector<Problem>& problems, Severity severity) {
     return static_cast<int>(std::ranges::count(problems, severity, &Problem::severity));
 }
 
-/// Number of problems from reading and checking; a value that fails in both counts once.
+/// Number of errors from reading and checking. A value with errors in both counts once.
 int errorsOf(const std::vector<Problem>& reading, const std::vector<Problem>& checking) {
     return count(checking, Severity::Error) +
            static_cast<int>(std::ranges::count_if(reading, [&](const Problem& problem) {
@@ -114,7 +115,7 @@ void Thumbnails::ask(const QString& path, QSize size, double ratio, const Theme&
         try {
             painted = picture(path, size, ratio, theme);
         } catch (const std::exception&) {
-            // For example out of memory: the card stays without a picture.
+            // If memory runs out, for example, the card stays without a picture.
         }
         return [this, path, size, painted] { Q_EMIT ready(path, size, painted.image, painted.facts); };
     });

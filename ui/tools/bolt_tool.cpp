@@ -66,7 +66,7 @@ void BoltTool::press(const Pointed& at) {
         place(wall->place, wall->place + length_ * wall->inward);
         return;
     }
-    head_ = wall ? wall->place : at.place;  // with Ctrl the far end is picked as well
+    head_ = wall ? wall->place : at.place;  // with Ctrl, the far end is also picked
     headWall_ = wall;
     wall_.reset();
 }
@@ -91,8 +91,8 @@ bool BoltTool::back() {
 }
 
 bool BoltTool::accepts(const Snap& snap) const {
-    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallSnapReach))) return true;
-    return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // a point off the wall is ignored
+    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallReach))) return true;
+    return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // points that are not on the wall are ignored
 }
 
 void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {

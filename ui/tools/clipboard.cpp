@@ -15,9 +15,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double shift = 24.0;  // [px] offset of a copy from its original
+constexpr double shift = 24.0;  // [px] distance of a copy from its original
 
-/// True for an object of a list; others cannot be copied.
+/// True for an object in a list; other objects cannot be copied.
 bool isOfList(const QString& pointer) { return pointer.count('/') > 1; }
 
 /// The scene and its settings cannot be deleted.
@@ -52,7 +52,7 @@ Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, Q
     showWhatCan();
 }
 
-/// While results are shown, nothing of the scene is deleted or added.
+/// While results are shown, nothing can be added to the scene or deleted from it.
 void Clipboard::showWhatCan() {
     const bool drawing = bench_.isDrawing();
     const QStringList& chosen = bench_.selection().pointers();

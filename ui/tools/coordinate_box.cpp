@@ -19,7 +19,8 @@ constexpr int fieldWidth = 106, fieldHeight = 25;
 
 QString shown(double number) { return QString::number(number, 'f', 3).replace('-', QChar(0x2212)); }
 
-/// A comma is a decimal comma if x and y have separate fields.
+/// Whether the text gives both coordinates. A comma does not count: x and y have separate fields, so it is a decimal
+/// comma.
 bool saysWholePlace(const QString& text) { return text.contains('@') || text.contains('<') || text.contains(';'); }
 
 }  // namespace
@@ -159,7 +160,7 @@ bool CoordinateBox::eventFilter(QObject* watched, QEvent* event) {
         frame->style()->polish(frame);
         const auto reason = static_cast<QFocusEvent*>(event)->reason();
         if (event->type() == QEvent::FocusOut && reason == Qt::MouseFocusReason && typing_) {
-            typing_ = both_ = false;  // a click elsewhere takes the focus
+            typing_ = both_ = false;  // a click elsewhere ends the input
             showPlace();
         }
     }

@@ -19,9 +19,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t mostDashed = 150;  // traces; more dashed lines are slow to paint and cannot be distinguished
+constexpr std::size_t mostDashed = 150;  // traces; more would be slow to paint dashed, and hard to distinguish
 
-/// The dip of a line, −90° < dip <= 90°: both directions are equivalent.
+/// The dip of a line, −90° < dip ≤ 90°, because opposite directions are equivalent.
 double dipOf(const Point& way) {
     double dip = std::atan2(way.y(), way.x()) / radiansPerDegree;
     if (dip > 90.0) dip -= 180.0;
@@ -78,7 +78,7 @@ void JointSetTool::next() {
     const Edit fresh = appendAt(scene(), "/joint_sets");
     const SceneJointSet before = set_;
     set_ = fresh.scene.jointSets.back();
-    if (before.spacing > 0.0) {  // as the previous set, with another direction
+    if (before.spacing > 0.0) {  // like the previous set, but with another direction
         set_.spacing = before.spacing, set_.spacingDeviation = before.spacingDeviation;
         set_.dipDeviation = before.dipDeviation, set_.jointMaterial = before.jointMaterial;
     }

@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-/// The angle at the second of three points, 0 … 180 [°].
+/// The angle at the second of three points, from 0° to 180°.
 double angleAt(const Point& a, const Point& middle, const Point& b) {
     const Point p = a - middle, q = b - middle;
     return std::abs(std::atan2(cross(p, q), p.dot(q))) / radiansPerDegree;

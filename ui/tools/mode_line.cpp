@@ -16,7 +16,7 @@ namespace {
 
 constexpr int lineHeight = 20, boxSize = 9, modeGap = 6;
 
-/// A small box, the name of the mode, and its key in a frame.
+/// A switch that shows a small box, the name of the mode, and its key in a frame.
 class ModeSwitch : public QAbstractButton {
 public:
     ModeSwitch(QAction* action, const Themes& themes, QWidget* parent) : QAbstractButton(parent), action_(action), themes_(themes) {

@@ -9,10 +9,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double roundedTo = 1e-6;  // [m] spacings and offsets are multiples of it, so that files have short numbers
+constexpr double roundedTo = 1e-6;  // [m] spacings and offsets are rounded to it, so that files have short numbers
 constexpr double together = 1e-9;  // of the run
 
-/// Rounded down: the last bolt must not be beyond the end.
+/// Rounds down, because the last bolt must not be beyond the end.
 double roundedDown(double metres) { return std::floor(metres / roundedTo) * roundedTo; }
 
 }  // namespace

@@ -19,8 +19,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double roomForNumbers = 80.0;  // [px] of a bolt
-constexpr double firstReach = 60.0;  // [px] largest distance from the wall for a pick
+constexpr double roomForNumbers = 80.0;  // [px] shortest bolt with space for the numbers
+constexpr double firstReach = 60.0;  // [px] largest distance of the first pick from the wall
 constexpr double samePlace = 1e-9;  // [m]
 constexpr double mostBolts = 1000.0;
 
@@ -54,7 +54,7 @@ std::vector<ToolField> PatternTool::fields() {
     const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
         return rowField("bolt_patterns", key, &pattern_, label, tell, choices);
     };
-    // The values set by the user are kept: a new end point is fitted from them again.
+    // Keeps the values set by the user, from which the pattern is fitted again for a new end point.
     const auto given = [&](const char* key, const QString& label, double& value) {
         ToolField field = rowField("bolt_patterns", key, &pattern_, label, [] {});
         field.get = [&value] { return FieldValue(value); };
@@ -62,7 +62,7 @@ std::vector<ToolField> PatternTool::fields() {
             const QString problem = check(typed);
             if (const auto* number = std::get_if<double>(&typed); number && problem.isEmpty()) {
                 value = *number;
-                changedOptions();  // last: the bar replaces its fields
+                changedOptions();  // last, because the bar replaces its fields
             }
             return problem;
         };
@@ -96,7 +96,7 @@ void PatternTool::begin() {
     from_.reset(), to_.reset(), hover_.reset();
     wayChosen_ = false;
     bolts_.clear();
-    if (pattern_.spacing > 0.0) return;  // as the previous pattern
+    if (pattern_.spacing > 0.0) return;  // keeps the values of the previous pattern
     const Edit fresh = appendAt(scene(), "/bolt_patterns");
     pattern_ = fresh.scene.boltPatterns.back();
     given_ = {pattern_.spacing, pattern_.offset};
@@ -130,7 +130,7 @@ void PatternTool::move(const Pointed& at) {
         }
     }
     layOut();
-    if (bolts_.size() != before) Q_EMIT changed();  // the number is on the button
+    if (bolts_.size() != before) Q_EMIT changed();  // the button shows the number of bolts
 }
 
 void PatternTool::press(const Pointed& at) {
@@ -198,7 +198,7 @@ void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
     const std::vector<NodeAhead> nodes = nodesAhead(scene(), pattern_.type, pattern_.length, pattern_.divisions);
     for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates, nodes);
     const double scale = map.pixelsPerMetre();
-    const bool roomy = scale * pattern_.length > roomForNumbers;  // else the numbers would overlap
+    const bool roomy = scale * pattern_.length > roomForNumbers;  // otherwise the numbers would overlap
     if (bolts_.size() > 1 && roomy && scale * pattern_.spacing > 0.5 * roomForNumbers) {
         const bool left = pattern_.way == Way::CounterClockwise;
         const std::size_t middle = (bolts_.size() - 1) / 2;

@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-/// True for objects that the picture of a cut scene shows itself.
+/// True for objects that are part of the picture of a cut scene.
 bool isInPicture(ObjectKind kind) {
     switch (kind) {
         case ObjectKind::Domain:
@@ -89,7 +89,7 @@ void SceneOverlay::paintLines(QPainter& painter, const CanvasMap& map) const {
     }
 }
 
-/// All visible objects except openings.
+/// The whole view except the openings.
 QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
     QPainterPath all, openings;
     all.addRect(QRectF(QPointF(), map.size()));
@@ -105,7 +105,7 @@ QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
     return all - openings;
 }
 
-/// Lines that end at openings are clipped; clipping is slow, so they are painted last, together.
+/// Lines that end at openings are clipped. Clipping is slow, so these lines are painted together, after the others.
 void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const {
     std::set<std::string> holders;
     for (const QString& pointer : bench_.selection().pointers())
@@ -119,7 +119,7 @@ void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const 
             if (endsAtOpenings(object.kind) != clipped || !holders.contains(object.pointer) || (isBolt && isShown()))
                 continue;
             if (clipped && !painter.hasClipping()) painter.setClipPath(rock(map));
-            const double width = object.kind == ObjectKind::JointSet ? 1.3 : 2.0;  // its lines are everywhere
+            const double width = object.kind == ObjectKind::JointSet ? 1.3 : 2.0;  // thin: a joint set has many lines
             for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed, width);
             for (const Point& mark : object.marks) ink.handle(mark, false);
         }

@@ -22,7 +22,7 @@ namespace keyblock {
 namespace {
 
 constexpr double hitReach = 7.0, handleReach = 8.0, dragStart = 4.0, wallReach = 24.0;  // [px]
-constexpr std::size_t mostNear = 100;  // lines of one object
+constexpr std::size_t mostNear = 100;  // objects with more lines are not highlighted as a whole
 
 }  // namespace
 
@@ -61,7 +61,7 @@ QString SelectTool::objectAt(const Point& place) const {
 }
 
 void SelectTool::press(const Pointed& at) {
-    if (!bench().isDrawing()) return;  // the window selects results
+    if (!bench().isDrawing()) return;  // results are selected by the window
     pressed_ = at;
     single_ = false;
     hot_ = handleAt(at.pixel);
@@ -107,7 +107,7 @@ void SelectTool::move(const Pointed& at) {
 
 void SelectTool::beginDrag() {
     const std::vector<Handle> all = handles();
-    const bool gone = hot_ ? *hot_ >= all.size() : bench().selection().isEmpty();  // by a key since the press
+    const bool gone = hot_ ? *hot_ >= all.size() : bench().selection().isEmpty();  // deleted with a key since the press
     doing_ = gone ? Doing::Nothing : hot_ ? Doing::Shapes : Doing::Moves;
     if (gone) return;
     if (hot_) {
@@ -115,7 +115,7 @@ void SelectTool::beginDrag() {
         grab_ = all[*hot_].place;
         return;
     }
-    // The point at which the object was grabbed moves to the snap point.
+    // The point at which the object was grabbed is moved to the snap point.
     const Pointed held = bench().pointAt(pressed_.raw, pressed_.pixel, {}, std::nullopt, {});
     grab_ = held.snap && held.snap->kind != SnapKind::Grid ? held.place : pressed_.raw;
 }
@@ -262,7 +262,7 @@ void SelectTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolPainter ink(painter, map, bench().theme());
     const SceneObject* over = hover_.isEmpty() || doing_ != Doing::Nothing ? nullptr : bench().object(hover_);
     if (over && !bench().selection().contains(hover_)) {
-        // For a set with thousands of traces, only the trace under the mouse is painted.
+        // Of a joint set with thousands of traces, only the traces under the mouse are highlighted.
         const bool all = over->lines.size() <= mostNear;
         for (const ObjectLine& line : over->lines)
             if (all || distanceToSegment(line.points.front(), line.points.back(), mouse_) < bench().metres(hitReach))

@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double signSpacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
-constexpr double leastForNames = 15.0;  // [px per m] below it they would overlap bolts
+constexpr double leastForNames = 15.0;  // [px/m] at smaller scales, names would overlap bolts
 
 template <typename Item>
 const Item* itemAt(const Scene& scene, const std::string& pointer) {
@@ -25,7 +25,7 @@ const Item* itemAt(const Scene& scene, const std::string& pointer) {
     return place && place->isObject() ? static_cast<const Item*>(place->object()) : nullptr;
 }
 
-/// The visible part of a line, which limits the number of signs.
+/// Clips a line to its visible part, which limits the number of signs. False if nothing is visible.
 bool clip(QLineF& line, const QRectF& room) {
     double begin = 0.0, end = 1.0;
     const QPointF way = line.p2() - line.p1();
@@ -141,7 +141,7 @@ void SignPainter::pressure(const Point& from, const Point& to, bool pulls, const
     if (!clip(line, QRectF(QPointF(), map_.size()).adjusted(-20, -20, 20, 20)) || line.length() < 2.0) return;
     const QPointF along = (line.p2() - line.p1()) / line.length();
     QPointF into(-along.y(), along.x());
-    if (into.y() < 0.0) into = -into;  // drawn from above; the edges decide which side is loaded
+    if (into.y() < 0.0) into = -into;  // arrows are drawn from above; the edges decide which side is loaded
     const int count = std::clamp(static_cast<int>(line.length() / signSpacing), 1, 400);
     painter_.setPen(QPen(colour, 1.2));
     painter_.drawLine(line.translated(-20.0 * into));

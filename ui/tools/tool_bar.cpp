@@ -20,7 +20,7 @@ namespace {
 
 constexpr int barHeight = 36, gap = 8;
 
-/// A button with its key after its text: in a frame, or plain on the primary one.
+/// A button that shows its key after its text. The key is in a frame, except on the primary button.
 class KeyButton : public QPushButton {
 public:
     KeyButton(const QString& key, bool primary, const Themes& themes, QWidget* parent)
@@ -164,7 +164,7 @@ void ToolBar::rebuild(Tool& tool) {
     }
     for (ToolChip* chip : chips_) {
         chip->hide();
-        chip->deleteLater();  // one of them may be in use
+        chip->deleteLater();  // deferred, because this may be called from one of them
     }
     chips_.clear();
     for (ToolField& field : fields) {
@@ -178,7 +178,7 @@ void ToolBar::rebuild(Tool& tool) {
     }
 }
 
-/// Chips from the left as far as they fit; the others are in a popup.
+/// Shows as many chips as fit, from the left; the others are in a popup.
 void ToolBar::layOut() {
     const int forMore = more_->sizeHint().width() + layout()->spacing();
     int room = options_->width() + (more_->isVisible() ? forMore : 0), all = -gap;

@@ -53,7 +53,7 @@ void ToolChip::makeChoice() {
     choice_->installEventFilter(this);
     layout()->addWidget(choice_);
     connect(choice_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        const bool none = !field_.none.isEmpty() && index == 0;  // a name may be equal to it
+        const bool none = !field_.none.isEmpty() && index == 0;  // by index: a choice may have the same text
         field_.set(none ? FieldValue{} : FieldValue(field_.choices.value(index).toStdString()));
         Q_EMIT done();
     });
@@ -112,7 +112,7 @@ void ToolChip::showValue() {
     if (choice_) {
         const auto* text = std::get_if<std::string>(&value);
         choice_->setCurrentIndex(text ? field_.choices.lastIndexOf(QString::fromStdString(*text)) : 0);
-        // As wide as the current choice; the list is as wide as necessary.
+        // The box is as wide as the current choice, and its list as wide as the longest one.
         choice_->setFixedWidth(std::min(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30, mostOfChoice));
         QFontMetrics metrics = choice_->fontMetrics();
         int widest = choice_->width();
@@ -169,7 +169,7 @@ void ToolChip::enter() {
     edit_->selectAll();
 }
 
-/// Tab moves from field to field; Qt's own order would leave the bar, as the fields do not accept focus by Tab.
+/// Tab moves from field to field. Qt's own order would leave the bar, because the fields do not accept focus by Tab.
 bool ToolChip::isPassing(QEvent& event) {
     if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride) return false;
     const int key = static_cast<QKeyEvent&>(event).key();
@@ -177,7 +177,7 @@ bool ToolChip::isPassing(QEvent& event) {
     event.accept();
     if (event.type() == QEvent::ShortcutOverride) return true;
     if (edit_) take(true);
-    if (property("wrong").toBool()) enter();  // the next input replaces it
+    if (property("wrong").toBool()) enter();  // stays here, so that the next input replaces the wrong one
     else Q_EMIT passed(key == Qt::Key_Tab);
     return true;
 }

@@ -62,7 +62,7 @@ ToolDesk::ToolDesk(Canvas& canvas, Document& document, Selection& selection, con
     });
     connect(&document, &Document::checkedChanged, this, &ToolDesk::showSelected);
     connect(&selection, &Selection::changed, this, &ToolDesk::showSelected);
-    // Zooming by the wheel moves the section under a resting mouse.
+    // Zooming with the wheel moves the section under the mouse, even if the mouse does not move.
     connect(&canvas, &Canvas::viewChanged, this, [this, &canvas] {
         if (at_) move({canvas.map().toPlace(at_->pixel), at_->pixel, Qt::NoButton, Qt::NoButton, at_->modifiers});
     });

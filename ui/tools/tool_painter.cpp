@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double snapSize = 14.0, snapLine = 2.2, inset = 12.0;  // [px]
-constexpr double betweenReal = 9.0, betweenArtificial = 16.0;  // nodes of a preview [px]
+constexpr double betweenReal = 9.0, betweenArtificial = 16.0;  // [px] smallest distances of nodes in a preview
 
 QFont fontOf(const QPainter& painter, int pixels, bool bold = false) {
     QFont font = painter.font();
@@ -37,7 +37,7 @@ QColor faint(QColor colour, double share) {
     return colour;
 }
 
-/// The mark of a kind of snap at (0, 0); `r` is half its size.
+/// The mark of a kind of snap, centred at (0, 0); `r` is half its size.
 QPainterPath markOf(SnapKind kind, double r) {
     QPainterPath path;
     switch (kind) {
@@ -60,7 +60,7 @@ QPainterPath markOf(SnapKind kind, double r) {
     return path;
 }
 
-/// Bonded nodes if there is room between them, and intermediate ones if there is more.
+/// Keeps bonded nodes if there is space between them, and then intermediate nodes if there is still more space.
 std::vector<NodeAhead> apart(const std::vector<NodeAhead>& nodes, double length) {
     std::vector<NodeAhead> kept;
     for (const bool real : {true, false})
@@ -82,7 +82,7 @@ ToolPainter::ToolPainter(QPainter& painter, const CanvasMap& map, const Theme& t
 }
 
 QPolygonF ToolPainter::pixels(const std::vector<Point>& points) const {
-    // Beyond this the painter's integers overflow; nothing there is visible.
+    // Larger coordinates overflow the painter's integers, and nothing so far away is visible.
     constexpr double farthest = 1e6;
     QPolygonF polygon;
     for (const Point& point : points) {

@@ -70,7 +70,7 @@ void ToolPalette::addLine() {
     layOut();
 }
 
-/// In columns from the top.
+/// Places the items in columns, from the top.
 void ToolPalette::layOut() {
     int x = 3, y = rim;
     for (QWidget* item : items_) {

@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-/// Clears the values that only another profile uses.
+/// Clears the values that are used only by other profiles.
 SceneTunnel withoutOthers(SceneTunnel tunnel) {
     const SceneTunnel none;
     if (!rowApplies("tunnels", "diameter", &tunnel)) tunnel.diameter = none.diameter;
@@ -57,7 +57,7 @@ std::vector<ToolField> TunnelTool::fields() {
 
 void TunnelTool::begin() {
     corners_.clear();
-    if (tunnel_.width > 0.0) return;  // as the previous tunnel
+    if (tunnel_.width > 0.0) return;  // keeps the values of the previous tunnel
     tunnel_.profile = ProfileKind::DShape;
     tunnel_.width = tunnel_.height = tunnel_.diameter = 5.0;
     tunnel_.wallHeight = 3.0, tunnel_.rise = 1.5;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double snapReach = 12.0, gridPixels = 24.0;  // [px]
 
-/// The largest of 1, 2, 5 · 10ⁿ that is not above `length`, or the next larger one.
+/// The smallest of 1, 2 or 5 times a power of ten that is not below `length`.
 double roundSpacing(double length) {
     const double decade = std::pow(10.0, std::floor(std::log10(length)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -27,7 +27,7 @@ double roundSpacing(double length) {
     return 10.0 * decade;
 }
 
-/// `place` projected on the horizontal or vertical line through `previous`, whichever is nearer.
+/// `place` projected onto the horizontal or vertical line through `previous`, whichever is nearer.
 Point straightened(const Point& place, const Point& previous) {
     const Point way = place - previous;
     return std::abs(way.x()) >= std::abs(way.y()) ? Point(place.x(), previous.y()) : Point(previous.x(), place.y());
@@ -120,12 +120,12 @@ Pointed Workbench::pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardM
     return pointed;
 }
 
-/// A point without a snap, rounded to a power of ten below the pixel size. A corner placed by eye would otherwise
-/// have 17 digits.
+/// A point without a snap, rounded to a power of ten below the pixel size. A corner placed by eye would otherwise have
+/// 17 digits.
 Point Workbench::asSeen(const Point& raw) const {
-    const double finer = std::pow(10.0, -std::floor(std::log10(metres(1.0))));  // steps in a metre
+    const double finer = std::pow(10.0, -std::floor(std::log10(metres(1.0))));  // steps per metre
     const auto one = [&](double metres) {
-        // Division by an integer gives the exact decimal.
+        // Dividing by an integer gives the number closest to the decimal value, so few digits are written.
         return finer >= 1.0 ? std::round(metres * finer) / finer : std::round(metres * finer) * std::round(1.0 / finer);
     };
     return {one(raw.x()), one(raw.y())};

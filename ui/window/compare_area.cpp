@@ -33,7 +33,7 @@ struct CompareArea::Second {
         canvas->setObjectName("secondCanvas");
         canvas->setAccessibleName(CompareArea::tr("Section of the second run"));
         canvas->setDrawing(false);
-        canvas->setLegend(false);  // the first canvas's legend applies to both
+        canvas->setLegend(false);  // the legend of the first canvas applies to both
     }
     ~Second() {
         delete firstCaption;
@@ -78,7 +78,8 @@ void CompareArea::place(QBoxLayout& besideCanvas, Curves& curves, Curves& energi
     energies_ = &energies;
 }
 
-/// The newest other run that can be read; if there is none, the user chooses a file.
+/// Ends the comparison, or begins one with the newest other run that can be read. If there is no such run, the user
+/// chooses a file.
 void CompareArea::beginOrEnd() {
     needs_.commands.action("run.compare")->setChecked(needs_.comparison.isOn());
     if (needs_.comparison.isOn()) return needs_.comparison.end();
@@ -90,7 +91,7 @@ void CompareArea::beginOrEnd() {
     if (!path.isEmpty()) needs_.comparison.begin(path);
 }
 
-/// Results of both, while both runs exist.
+/// Shows the results of both runs as long as both are open.
 void CompareArea::show() {
     const bool on = needs_.comparison.isOn() && needs_.feed.showsResults() && row_;
     if (!on) return end();
@@ -109,7 +110,7 @@ void CompareArea::showSecond() {
     Canvas& canvas = *second_->canvas;
     row_->addWidget(&canvas, 1);
     connect(second_->caption, &CanvasCaption::closed, &needs_.comparison, &Comparison::end,
-            Qt::QueuedConnection);  // it takes the caption away
+            Qt::QueuedConnection);  // queued, because this deletes the caption
     connect(&second_->feed, &SectionFeed::pictureChanged, &canvas, [this, &canvas] {
         const bool isFirst = !canvas.picture();
         canvas.show(second_->feed.picture());
@@ -130,7 +131,7 @@ void CompareArea::showSecond() {
     select();
 }
 
-/// Fits both canvases to the extent of both runs; called once they have their sizes.
+/// Fits both canvases to the common extent of both runs. Deferred until the canvases have their sizes.
 void CompareArea::fitBoth() {
     QTimer::singleShot(0, this, [this] {
         const auto &first = needs_.canvas.picture(), &second = second_ ? second_->canvas->picture() : first;

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 96;  // [px] of a panel with content
+constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 96;  // [px] header, and smallest size of the content
 
 QToolButton* headerButton(QWidget* header, const Themes& themes, const char* icon, const QString& name) {
     auto* button = new QToolButton(header);
@@ -32,7 +32,7 @@ QToolButton* headerButton(QWidget* header, const Themes& themes, const char* ico
     return button;
 }
 
-/// Reserves its size hint in the dock, visible or not.
+/// A header that takes up its fixed height in the dock even while it is not visible.
 class DockHeader : public QWidget {
 public:
     using QWidget::QWidget;
@@ -62,7 +62,7 @@ QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
     return header;
 }
 
-/// Tabs show the title; the header returns when the dock is no longer in a tab group.
+/// Hides the header in a tab group, where the tab shows the title. The header returns when the dock leaves the group.
 void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
     const QList<QDockWidget*> others = window.tabifiedDockWidgets(&dock);
     const auto isShown = [](const QDockWidget* other) { return !other->isHidden(); };
@@ -79,7 +79,7 @@ QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& 
                       QWidget* widget) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(id);
-    widget->setMinimumSize(leastWidth, leastHeight);  // content that does not fit is clipped, the window does not grow
+    widget->setMinimumSize(leastWidth, leastHeight);  // content that does not fit is clipped; the window does not grow
     dock->setWidget(widget);
     QWidget* header = makeHeader(*dock, themes);
     dock->setTitleBarWidget(header);

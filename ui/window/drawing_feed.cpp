@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// Around the drawn objects, if no cut gives the extent.
+/// Box around the drawn objects, for scenes without a cut that gives the extent.
 std::optional<Box> extentOf(const Scene& scene) {
     using enum ObjectKind;
     std::vector<Point> corners;
@@ -32,7 +32,7 @@ DrawingFeed::DrawingFeed(Document& document, const Visibility& visibility, Canva
     : QObject(parent), document_(document), visibility_(visibility), canvas_(canvas) {
     connect(&visibility, &Visibility::changed, this, &DrawingFeed::show);
     connect(&document, &Document::checkedChanged, this, &DrawingFeed::show);
-    // Another document is fitted into the view; an edit keeps the view.
+    // Another document is fitted into the view, whereas an edit keeps the view.
     connect(&document, &Document::replaced, this, [this] {
         isOther_ = true;
         if (on_) canvas_.show(nullptr);
@@ -52,7 +52,7 @@ void DrawingFeed::setOn(bool on) {
 
 void DrawingFeed::show() {
     if (!on_) return;
-    if (isOther_ && !document_.checkIsCurrent()) return;  // the check is of the previous document
+    if (isOther_ && !document_.checkIsCurrent()) return;  // the check is still that of the previous document
     const Checked& checked = document_.checked();
     const bool broken = hasErrors(checked.problems);
     canvas_.setExtent(broken ? extentOf(*checked.scene) : std::nullopt);
@@ -61,7 +61,7 @@ void DrawingFeed::show() {
         if (!checked.picture) canvas_.fit();
     }
     showHint();
-    // While there are errors the last good picture stays: the problems say what to do.
+    // While there are errors, the last valid picture stays; the listed problems say what to do.
     if (checked.picture || !broken) canvas_.show(visiblePicture(checked, visibility_));
 }
 

@@ -51,7 +51,7 @@ QString askForFile(const Document& document, QWidget& window) {
     return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), fileFolder(document), filters.join(";;"));
 }
 
-/// Reads the file again.
+/// Adds the command that reads the file again.
 void addRevert(Commands& commands, Document& document, QWidget& window) {
     QAction* revert = commands.add(
         {"file.revert", QWidget::tr("Revert to saved"), "File", {}, QWidget::tr("Discards all edits since the last save."),

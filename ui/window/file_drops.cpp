@@ -31,7 +31,7 @@ bool FileDrops::eventFilter(QObject* watched, QEvent* event) {
     const QString file = openableFile(*drop->mimeData());
     drop->setAccepted(!file.isEmpty());
     if (drop->isAccepted()) drop->setDropAction(Qt::CopyAction);
-    // Deferred: a dialog would block the program that the file comes from.
+    // Deferred, because a dialog would block the program from which the file was dragged.
     if (event->type() == QEvent::Drop && !file.isEmpty()) QTimer::singleShot(0, this, [this, file] { open_(file); });
     return true;
 }

@@ -43,7 +43,7 @@ void addRecent(QMenu& file, const RecentFiles& recent, const std::function<void(
     file.insertMenu(at == actions.end() || at + 1 == actions.end() ? nullptr : *(at + 1), menu);
 }
 
-/// Not modal: work can continue meanwhile.
+/// The box is not modal, so work can continue.
 void showAbout(QMainWindow& window) {
     auto* box = new QMessageBox(QMessageBox::NoIcon, QMainWindow::tr("About Keyblock"),
                                 QMainWindow::tr("Keyblock %1").arg(QCoreApplication::applicationVersion()),

@@ -27,7 +27,7 @@ void addReadingReport(QMainWindow& window, Document& document, const Themes& the
         report->show(reading);
         if (auto* problems = window.findChild<QDockWidget*>("problemsDock")) window.tabifyDockWidget(problems, dock);
         dock->show();
-        QTimer::singleShot(0, dock, &QWidget::raise);  // after the updates for the new document
+        QTimer::singleShot(0, dock, &QWidget::raise);  // deferred until the window shows the new document
     });
     QObject::connect(&document, &Document::replaced, dock, &QDockWidget::hide);
 }

@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-/// The field or tool under the cursor, else the one that has the focus.
+/// Help topic of the field or tool under the cursor, or else of the one that has the focus.
 QString topicAtHand() {
     const QString pointed = helpTopicOf(QApplication::widgetAt(QCursor::pos()));
     return pointed.isEmpty() ? helpTopicOf(QApplication::focusWidget()) : pointed;
@@ -32,7 +32,7 @@ void showHelp(QDockWidget& dock, HelpView& view, const QString& topic) {
     view.open(topic.section('#', 0, 0), topic.section('#', 1));
 }
 
-/// A window of its own, so that it can stay open during work.
+/// Makes the list of shortcuts in a separate window, so that it can stay open during work.
 KeySheet* makeKeySheet(QMainWindow& window, Commands& commands, const Themes& themes) {
     auto* sheet = new KeySheet(commands, themes, &window);
     sheet->setWindowFlag(Qt::Window);

@@ -16,7 +16,7 @@ namespace keyblock {
 namespace {
 
 constexpr int helpWidth = 460;  // [px]
-constexpr double mostOfWindow = 0.36;  // share of its width
+constexpr double mostOfWindow = 0.36;  // largest share of the window's width
 
 }  // namespace
 
@@ -34,7 +34,7 @@ int HelpWidth::wideWidth() const {
     return std::max(base_, std::min(helpWidth, static_cast<int>(mostOfWindow * window_.width())));
 }
 
-/// Deferred: the docks get their positions after the signal.
+/// Widens the dock for help and restores its width. Deferred, because the docks get their positions after the signal.
 void HelpWidth::follow(bool inFront) {
     if (inFront && !wide_ && sharesPlace()) {
         wide_ = true;

@@ -21,11 +21,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr int version = 2;  // of saved states; other versions are ignored
+constexpr int version = 2;  // version of the saved states; states of other versions are ignored
 constexpr char folder[] = "layouts";
 constexpr int bottomHeight = 240, leastBottom = 172, others = 640;  // [px]
 
-// Tab groups of docks, side by side below the timeline; the first dock of each is in front.
+// Tab groups of docks, placed side by side below the timeline. The first dock of each group is in front.
 using Groups = std::vector<std::vector<const char*>>;
 
 const Groups& groupsOf(Arrangement arrangement) {
@@ -48,7 +48,7 @@ QList<QDockWidget*> docksOf(QMainWindow& window, const std::vector<const char*>&
     return docks;
 }
 
-/// All groups of both arrangements that have docks.
+/// All tab groups of both arrangements, without empty ones.
 QList<QList<QDockWidget*>> allGroups(QMainWindow& window) {
     QList<QList<QDockWidget*>> groups;
     for (const Arrangement arrangement : {Arrangement::Drawing, Arrangement::Results})
@@ -72,12 +72,12 @@ void placeAll(QMainWindow& window) {
         last = group.front();
         direction = Qt::Horizontal;
     }
-    // Only now: a dock split off a tab group joins that group.
+    // Tabs are made last, because a dock that is placed next to a tab group would be added to the group.
     for (const auto& group : groups)
         for (int i = 1; i < group.size(); ++i) window.tabifyDockWidget(group[i - 1], group[i]);
 }
 
-/// Tree at the left; properties at the right, with help behind, closed.
+/// Places the tree at the left and the properties at the right. Help is in a tab behind the properties and closed.
 void placeSides(QMainWindow& window) {
     QDockWidget *tree = dock(window, "sceneDock"), *properties = dock(window, "propertyDock"),
                 *help = dock(window, "helpDock");
@@ -116,7 +116,7 @@ void size(QMainWindow& window, Arrangement arrangement) {
     }
     if (firsts.isEmpty()) return;
     window.resizeDocks(firsts, widths, Qt::Horizontal);
-    // The canvas has priority on a low screen.
+    // On a low screen the canvas has priority.
     const int bottom = std::clamp(window.height() - others, leastBottom, bottomHeight);
     window.resizeDocks({firsts.front()}, {bottom}, Qt::Vertical);
 }
@@ -126,7 +126,7 @@ QString keyOf(Arrangement arrangement) {
 }
 
 QString pathOf(const QString& name, Arrangement arrangement) {
-    // A name may contain separators of settings keys.
+    // Written in hexadecimal, because a name may contain separators of settings keys.
     return QString(folder) + "/named/" + QString::fromLatin1(name.toUtf8().toHex()) + '/' + keyOf(arrangement);
 }
 
@@ -155,8 +155,8 @@ void Layouts::show(Arrangement arrangement) {
     apply();
 }
 
-/// Restores the saved arrangement, or the default; sizes are set once the window is laid out. Painting waits until
-/// then, as docks would overlap before.
+/// Restores the saved arrangement, or the default one. Sizes are set once the window is laid out; painting waits until
+/// then, because the docks would overlap before.
 void Layouts::apply() {
     window_.setAnimated(false);
     window_.setUpdatesEnabled(false);

@@ -50,7 +50,7 @@ namespace keyblock {
 
 namespace {
 
-/// Commands whose results are covered by the start page: tools, results and panels.
+/// Commands whose results the start page would cover: tools, results and panels.
 bool showsBelowStartPage(const QAction& action) {
     static const QStringList rooms{"tool.", "scene.", "run.", "time.", "panel."};
     static const QStringList others{"help.contents", "help.scene", "help.theory", "help.verification", "view.probe",
@@ -59,7 +59,7 @@ bool showsBelowStartPage(const QAction& action) {
     return others.contains(id) || std::any_of(rooms.begin(), rooms.end(), [&](const QString& room) { return id.startsWith(room); });
 }
 
-constexpr QSize roomOfFrame(8, 40);  // [px] added around the window by a window manager; unknown before it is shown
+constexpr QSize roomOfFrame(8, 40);  // [px] frame added by the window manager; unknown before the window is shown
 
 }  // namespace
 
@@ -135,7 +135,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     journal_->close();
 }
 
-/// Help, start page and notices on files; then layouts, which take all existing docks.
+/// Places help, the start page and notices about files; then the layouts, which arrange all docks that exist by then.
 void MainWindow::placeFileRooms() {
     addFileNotices(*this, *document_, themes_);
     QWidget* search = addHelp(*this, *commands_, themes_);
@@ -154,7 +154,7 @@ void MainWindow::placeBars() {
     bar->setMovable(false);
     bar->toggleViewAction()->setEnabled(false);
     bar->addWidget(workflow_);
-    bar->layout()->setContentsMargins({});  // the style sheet is applied before the bar has its name
+    bar->layout()->setContentsMargins({});  // the style sheet is applied before the bar has its object name
     addToolBar(Qt::TopToolBarArea, bar);
     for (const auto corner : {Qt::BottomLeftCorner, Qt::BottomRightCorner}) setCorner(corner, Qt::BottomDockWidgetArea);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

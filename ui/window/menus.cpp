@@ -20,7 +20,7 @@ constexpr std::array menuNames{
     QT_TRANSLATE_NOOP("Menus", "Insert"),  QT_TRANSLATE_NOOP("Menus", "Run"),
     QT_TRANSLATE_NOOP("Menus", "Results"), QT_TRANSLATE_NOOP("Menus", "Tools"), QT_TRANSLATE_NOOP("Menus", "Help")};
 
-/// Groups in the order in which their first command was added.
+/// Groups of a menu, in the order in which their first commands were added.
 QStringList groupsOfMenu(const Commands& commands, const QString& menu) {
     QStringList groups;
     for (const QAction* action : commands.all())

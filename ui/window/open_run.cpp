@@ -23,10 +23,10 @@ namespace {
 struct SceneOfRun {
     std::string hash;
     Scene scene;
-    QString file;  // that holds the same scene; empty: none
+    QString file;  // file that contains the same scene; empty: none
 };
 
-/// `drift-3.kbrun` is a run of `drift-3.json` or of `drift.json`.
+/// Finds the scene file of a run: for `drift-3.kbrun`, `drift-3.json` or `drift.json` if it contains the same scene.
 QString sceneFileOf(const QFileInfo& store, const std::string& hash) {
     const QString stem = store.completeBaseName();
     QString withoutNumber = stem;
@@ -51,7 +51,7 @@ std::optional<SceneOfRun> sceneOfRun(const QString& store) {
     }
 }
 
-/// False: the user keeps the document as it is.
+/// Opens the scene of a run. False if the user keeps the current document.
 bool takeScene(Document& document, SceneOfRun found, const QString& name, QWidget& window, UnsavedEdits edits) {
     if (sceneHash(*document.committed()) == found.hash) return true;
     if (edits == UnsavedEdits::Ask && !mayDiscard(document, window)) return false;

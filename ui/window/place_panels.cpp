@@ -30,7 +30,7 @@ namespace keyblock {
 
 namespace {
 
-/// A dock with the panel's own header.
+/// Makes a dock with the panel's own header.
 QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QString& title, QWidget* widget,
                             QWidget* header) {
     auto* dock = new QDockWidget(title, &window);
@@ -40,7 +40,7 @@ QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QStrin
     return dock;
 }
 
-/// Box around the shapes of objects; none for objects without a position.
+/// Box around the shapes of the objects; none if no object has a position.
 std::optional<Box> boxRound(const Scene& scene, const QStringList& pointers) {
     std::vector<Point> corners;
     for (const SceneObject& object : objectsOf(scene)) {
@@ -62,13 +62,13 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     panels.stages = new StagesPanel(context, needs.selection, &window);
     panels.library = new LibraryPanel(context, needs.selection, &window);
     panels.problemsDock = makeDock(window, needs.themes, "problemsDock", QMainWindow::tr("Problems"), panels.problems);
-    // Saved layouts know the dock by this name.
+    // Saved layouts refer to the dock by this name.
     panels.summaryDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Model summary"), panels.summary);
     panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
     panels.libraryDock =
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
     for (QDockWidget* dock : {panels.problemsDock, panels.summaryDock, panels.stagesDock, panels.libraryDock})
-        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // the layouts decide where
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // until the layouts arrange it
     needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
                         QMainWindow::tr("Shows bolt types with their parameters and sources."), {}, false, "library"},
                        [dock = panels.libraryDock] {
@@ -124,7 +124,7 @@ void raiseAskedPanels(WorkflowBar& bar, const Panels& panels) {
     const auto raise = [support = panels.libraryDock, stages = panels.stagesDock](WorkStep step) {
         QDockWidget* dock = step == WorkStep::Support ? support : step == WorkStep::Stages ? stages : nullptr;
         if (!dock) return;
-        QTimer::singleShot(0, dock, [dock] {  // after the arrangement, which may change with the step
+        QTimer::singleShot(0, dock, [dock] {  // deferred, because the step may change the arrangement first
             dock->show();
             dock->raise();
         });

@@ -65,7 +65,7 @@ RunArea::RunArea(const RunAreaParts& parts)
       comparison_(new Comparison(*cursor_, this)), safety_(new SafetySearch(parts.document, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
-    // Before the probe, whose pins have a menu of their own.
+    // Created before the probe, whose pins have a context menu of their own.
     picking_ = new ResultSelection({parts.canvas, parts.themes, parts.commands, *feed_, *choice_, *blocks_,
                                     [this](const Pick& pick, const Point& place) { probe_->pin(pick, place); }},
                                    this);
@@ -153,7 +153,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
     for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, safety, energy, list, log})
-        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // the layouts decide where
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // until the layouts arrange it
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {
         asked_ = -1;
@@ -164,7 +164,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
 }
 
-/// The tab of events shows their number.
+/// Shows the number of events in the title of their tab.
 void RunArea::nameTabs() {
     const std::size_t count = events_->count();
     const QString title = count > 0 ? tr("Events  %1").arg(count) : tr("Events");
@@ -178,7 +178,7 @@ void RunArea::showMode() {
     parts_.drawing.setOn(!results);
     results_->setOn(results);
     Q_EMIT modeChanged(results);
-    if (!results) return askBlock(-1, {});  // blocks of a run are not those of the drawing
+    if (!results) return askBlock(-1, {});  // the blocks of a run are not those of the drawing
     parts_.canvas.setDrawing(false);
     showPicture();
     showSelection();
@@ -193,7 +193,7 @@ void RunArea::showSelection() {
     parts_.canvas.setSelectedBolts(choice_->bolt() >= 0 ? std::vector<int>{choice_->bolt()} : std::vector<int>{});
 }
 
-/// Opens the scale of a quantity whose bar in the legend was clicked.
+/// Opens the scale settings of a quantity whose bar in the legend was clicked.
 void RunArea::openScale(LegendPart part, const QPoint& at) {
     if (!feed_->picture()) return;
     const bool ofBlocks = part == LegendPart::Blocks;
@@ -201,10 +201,11 @@ void RunArea::openScale(LegendPart part, const QPoint& at) {
     if (bar) (new ScalePanel(*bar, parts_.display.numbers(), ofBlocks, *settings_, &parts_.window))->openAt(at);
 }
 
-/// The drawing steps show the drawing, the others results.
+/// The steps Run and Results show the results; the other steps show the drawing.
 void RunArea::followTabs(WorkStep step) { feed_->showResults(step == WorkStep::Run || step == WorkStep::Results); }
 
-/// Outlines a block with a note on the reason; for the same block again, or none, the outline is removed.
+/// Outlines a block, with a note that gives the reason. Removes the outline if the block already has it or there is no
+/// block.
 void RunArea::askBlock(int block, const QString& why) {
     asked_ = block == asked_ ? -1 : block;
     if (asked_ < 0 || !cursor_->run()) return parts_.canvas.setHighlighted(std::nullopt);

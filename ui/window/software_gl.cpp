@@ -11,7 +11,8 @@ namespace keyblock {
 
 void leaveProcessorsToRuns() {
     if (qEnvironmentVariableIsSet("LP_NUM_THREADS")) return;
-    // The window's thread and the run's keep one each; with no threads of its own Mesa draws on the window's thread.
+    // Keeps one processor each for the window's thread and the run's. Without threads of its own, Mesa draws on the
+    // window's thread.
     const int others = std::clamp(static_cast<int>(std::thread::hardware_concurrency()) - 2, 0, 8);
     qputenv("LP_NUM_THREADS", QByteArray::number(others));
 }

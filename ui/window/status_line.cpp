@@ -73,7 +73,7 @@ void StatusLine::showCounts() {
         counts_->clear();
         return;
     }
-    // Counted as in the tree: with blocks excavated later, which the drawing omits.
+    // Counted as in the tree: including the blocks that are excavated later, which the drawing omits.
     const std::size_t blocks = checked.cut ? checked.cut->scene.blocks.size() : checked.scene->blocks.size();
     const std::size_t bolts = checked.picture->bolts.size();
     counts_->setText((blocks == 1 ? tr("1 block") : tr("%1 blocks").arg(blocks)) + dot +

@@ -95,7 +95,7 @@ void WorkflowBar::addRight(QWidget* widget) {
 
 QSize WorkflowBar::minimumSizeHint() const { return {300, barHeight}; }
 
-/// If the names do not fit, steps show their states only, except for the current one.
+/// If the names do not fit, only the current step shows its name; the other steps show only an icon of their state.
 void WorkflowBar::fit() {
     int wanted = 2 * rim + (right_ && right_->isVisible() ? right_->minimumSizeHint().width() : 0);
     for (const QToolButton* tab : tabs_)
