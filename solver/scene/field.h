@@ -24,7 +24,7 @@
 
 namespace keyblock {
 
-/// Form of a field's value in the file.
+/// Kind of value that a field has in the file.
 enum class FieldKind {
     Flag, Number, Integer, Text,
     Word,  // one of a fixed list of strings
@@ -43,8 +43,8 @@ enum class FieldKind {
     Fixed  // without a member: only the listed values, which have no effect, are accepted
 };
 
-/// Any value of a field other than Object, List and Map. Words are stored as strings, integers as doubles, null as
-/// `monostate`.
+/// Value of a field of any kind except Object, List and Map. Words are stored as strings, integers as doubles, and null
+/// as `monostate`.
 using FieldValue = std::variant<std::monostate, bool, double, std::string, Point, std::vector<Point>, Table, Stress,
                                 BoltPlace, std::vector<std::string>, std::map<std::string, std::string>>;
 
@@ -72,7 +72,8 @@ struct PairColumn {
 struct Structure;
 struct SceneCut;
 
-/// Access to the objects inside an Object, List or Map. `owner` points to the struct that contains the member.
+/// Access to the objects in a field of kind Object, List or Map. `owner` points to the struct that contains the field's
+/// member.
 struct Children {
     std::size_t (*count)(const void* owner) = nullptr;  // 0 if null; otherwise 1 for an Object
     const void* (*item)(const void* owner, std::size_t index) = nullptr;
@@ -88,7 +89,7 @@ struct Children {
     const Structure& (*structure)() = nullptr;
 };
 
-/// One row of the table.
+/// One row of a field table: the description of one field.
 struct Field {
     std::string_view key{};
     FieldKind kind = FieldKind::Fixed;
@@ -160,14 +161,16 @@ std::string labelText(const Field& field);
 /// Label of one of the field's words as shown to the user, e.g. `clockwise` for `cw`.
 std::string_view wordLabel(const Field& field, std::string_view word);
 
-/// The value given by `field.automatic`; null if the field has no automatic value, or if the value is known only during
-/// a run.
+/// The automatic value from `field.automatic`; null if the field has no automatic value, or if the value is known only
+/// during a run.
 FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object);
 
-/// Unit of the field in `object`. \param owner the object whose list or member contains `object`; null: not known.
+/// Unit of the field in `object`.
+/// \param owner the object whose list or member contains `object`; null if it is not known.
 std::string_view unitIn(const Field& field, const void* object, const void* owner);
 
-/// Unit of a column of a Pairs field in `object`. \param owner as above.
+/// Unit of a column of a Pairs field in `object`.
+/// \param owner the object whose list or member contains `object`; null if it is not known.
 std::string_view unitIn(const Field& field, const PairColumn& column, const void* object, const void* owner);
 
 /// Value of the field if its key is missing.
@@ -176,7 +179,7 @@ FieldValue defaultOf(const Structure& structure, const Field& field);
 /// True if the other fields of `object` meet the condition `field.only`, or if the field has no condition.
 bool applies(const Structure& structure, const Field& field, const void* object);
 
-/// True if the field has equal values in two objects of its struct, including all values nested in it.
+/// True if the field has the same value in the objects `a` and `b`. Nested objects are compared too.
 bool sameValue(const Field& field, const void* a, const void* b);
 
 /// Text of the condition `field.only`, e.g. `where 'kind' is 'dynamic'`. \pre `field.only` is not empty.
@@ -188,7 +191,7 @@ std::string misplaced(const Field& field);
 /// True if no number in the value is infinite or NaN.
 bool isFinite(const FieldValue& value);
 
-/// True if the number lies in the range.
+/// True if the range includes the number.
 bool contains(const Range& range, double number);
 
 /// The range as text, e.g. `> 0` or `≥ 0, < 90`; empty if it is unlimited.

@@ -19,7 +19,7 @@
 
 namespace keyblock {
 
-/// Options of a row that do not follow from its member; see `Field`.
+/// Options of a table row that cannot be derived from the member; see `Field`.
 struct Says {
     std::string_view label{};
     std::string_view unit{};
@@ -303,7 +303,7 @@ void describeAccess(Field& field) {
 
 }  // namespace rows
 
-/// Makes the row of a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
+/// Creates the row of a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
 template <auto member>
 Field row(std::string_view key, std::string_view help, Says says = {}) {
     Field field{.key = key, .label = says.label, .unit = says.unit, .help = help, .source = says.source,
@@ -352,13 +352,13 @@ FieldValue automaticValue(FieldValue (*function)(const Scene&, const Object&), c
 
 }  // namespace rows
 
-/// Value of `Field::automatic` made from a function of the scene, of the object with the field, or of both.
+/// Adapts a function of the scene, of the object with the field, or of both, to the signature of `Field::automatic`.
 template <auto function>
 FieldValue automatic(const Scene& scene, const SceneCut*, const void* object) {
     return rows::automaticValue(function, scene, object);
 }
 
-/// Makes a row without a member: a key that accepts only the values `accepted`, which have no effect.
+/// Creates a table row for a key without a member. The key accepts only the values in `accepted`, which have no effect.
 Field fixedRow(std::string_view key, std::string_view help, std::vector<FieldValue> accepted, bool required = false);
 
 /// A default-constructed object from which the table reads the defaults.

@@ -15,11 +15,11 @@ namespace keyblock {
 /// Largest absolute value of a coordinate [m]. Beyond it, doubles are too coarse for the dimensions of a tunnel.
 inline constexpr double farthestCoordinate = 1e9;
 
-/// True if both coordinates are finite and their absolute values at most `farthestCoordinate`.
+/// True if both coordinates are finite and their absolute values do not exceed `farthestCoordinate`.
 bool isUsable(const Point& place);
 
-/// Diagonal [m] of the bounding box of the domain and all blocks, ignoring corners that are not usable; 1 if it is
-/// zero.
+/// Diagonal [m] of the bounding box of the domain and all blocks, ignoring corners that are not usable (see
+/// `isUsable`); 1 if the diagonal is zero.
 double sceneSize(const Scene& scene);
 
 /// Distance [m] within which two points coincide, or a point lies on an edge: 1e-9 of the scene's size, but at least
@@ -39,11 +39,12 @@ int blockWithPoint(const Scene& scene, const Point& point);
 /// \pre the scene was checked without errors.
 const Material& materialOf(const Scene& scene, const Block& block);
 
-/// Index of the block's joint material: the one that it names, otherwise the scene's first; −1: the built-in one.
+/// Index of the block's joint material: the material named by the block or, if it names none, the first one of the
+/// scene; −1 for the built-in material.
 /// \pre the scene was checked without errors.
 int jointMaterialIndex(const Scene& scene, const Block& block);
 
-/// The joint material with an index from `jointMaterialIndex`; a negative index gives the built-in one.
+/// The joint material for an index from `jointMaterialIndex`; a negative index gives the built-in material.
 const JointMaterial& jointMaterialAt(const Scene& scene, int index);
 
 /// The bolt type with this name; null if there is none.
@@ -52,24 +53,26 @@ const BoltType* findBoltType(const Scene& scene, std::string_view name);
 /// \pre the scene was checked without errors.
 const BoltType& boltTypeOf(const Scene& scene, const Bolt& bolt);
 
-/// The bolt's own anchors or, if it has none, those of its type. \pre the scene was checked without errors.
+/// The bolt's own anchors or, if it has none, the anchors of its type. \pre the scene was checked without errors.
 const std::vector<Anchor>& anchorsOf(const Scene& scene, const Bolt& bolt);
 
 /// Length of the bolt in the plane [m].
 double lengthOf(const Bolt& bolt);
 
-/// Distance [m] of a position from the far end of a bolt. \param length of the bolt [m]
+/// Distance [m] of a position from the far end of a bolt. \param length length of the bolt [m]
 double distanceAlong(const BoltPlace& place, double length);
 
-/// Distance [m] from the far end at which a monitor records a bolt; at the head if the monitor gives no position.
-/// \param length of the bolt [m]
+/// Distance [m] from the far end of a bolt to the position that a monitor records; the head if the monitor gives no
+/// position.
+/// \param length length of the bolt [m]
 double distanceAlong(const Monitor& monitor, double length);
 
-/// `CutFace::source` of the joint with this name, otherwise of the joint set with this name; −1 if there is neither.
+/// Value of `CutFace::source` for the joint with this name or, if there is none, for the joint set with this name; −1
+/// if there is neither.
 /// \pre the scene has not been cut yet.
 int traceSource(const Scene& scene, std::string_view name);
 
-/// True if the face lies on this side of the domain, or for `BoundarySide::All` on any side.
+/// True if the face lies on this side of the domain; for `BoundarySide::All`, if it lies on any side.
 bool isOnSide(const CutFace& face, BoundarySide side);
 
 /// JSON pointer to the definition of a bolt: `/bolts/N`, or `/bolt_patterns/N` for a bolt of a pattern.
@@ -78,7 +81,7 @@ std::string boltPointer(const Scene& scene, std::size_t bolt);
 /// JSON pointer to the definition of a block: `/blocks/N`, or `/domain` for a block cut from the domain.
 std::string blockPointer(const Scene& scene, std::size_t block);
 
-/// The block's name, or b1, b2, … by its position in the list if it has none.
+/// The block's name or, if it has none, b1, b2, … according to its position in the list.
 /// \pre 0 ≤ block < number of blocks.
 std::string displayName(const Scene& scene, int block);
 

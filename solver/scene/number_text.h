@@ -8,13 +8,13 @@
 
 namespace keyblock {
 
-/// Four significant digits, for display.
+/// The number with four significant digits, for display.
 std::string rounded(double number);
 
 /// A coordinate in metres, rounded to the millimetre, for display.
 std::string coordinateText(double metres);
 
-/// A stress or modulus with its unit in Pa, kPa, MPa or GPa, for display.
+/// A stress or modulus in Pa, kPa, MPa or GPa, followed by the unit, for display.
 std::string pressureText(double pascals);
 
 /// The shortest text that is read back as the same double; `inf` or `nan` if the number is not finite.

@@ -37,7 +37,8 @@ struct Quantity {
     bool operator==(const Quantity&) const = default;
 };
 
-/// Result of reading a text: the quantity, or a message that says what is wrong and what to write instead.
+/// Result of reading the text of a quantity: the quantity, or a message that says what is wrong and what to write
+/// instead.
 struct QuantityReading {
     std::optional<Quantity> quantity;
     std::string problem;

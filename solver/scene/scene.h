@@ -29,8 +29,8 @@ enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
 enum class Iteration { Convex, OpenClose };
 enum class ContactMethod { Penalty, AugmentedLagrangian };
 
-/// Rayleigh damping of dynamic stages: a force mass·M·v on every body and, in blocks and bolt shanks, a stress of
-/// `stiffness` times the elastic stiffness times the strain rate.
+/// Rayleigh damping of dynamic stages. A body of mass M and velocity v is subject to the damping force `mass`·M·v. In
+/// blocks and bolt shanks, the damping stress is `stiffness` times the elastic stiffness times the strain rate.
 struct Damping {
     double mass = 0.0;  // [1/s]
     double stiffness = 0.0;  // [s]
@@ -95,14 +95,14 @@ struct InSituStress {
     bool operator==(const InSituStress&) const = default;
 };
 
-/// Divides a block into cells that are glued together, so that the stress can vary within the block.
+/// Division of a block into cells that are glued together, so that the stress can vary within the block.
 struct CellSettings {
     double size = 0.0;  // approximate cell size [m]
 
     bool operator==(const CellSettings&) const = default;
 };
 
-/// Values of a joint-material index that do not refer to an entry of the scene's list.
+/// Special values of a joint-material index, for faces without a material from the scene's list.
 inline constexpr int builtInJoint = -1;  // if the scene defines no joint material
 inline constexpr int intactJoint = -2;  // intact rock across a tunnel outline or a split: neither slips nor opens
 
@@ -141,7 +141,8 @@ struct SceneDomain {
     bool operator==(const SceneDomain&) const = default;
 };
 
-/// Tolerance and minimum block size of the cut; null: chosen relative to the domain or to the mean block.
+/// Tolerance and minimum block size of the cut. If a value is null, the cut derives it from the size of the domain or
+/// the mean size of the blocks.
 struct Cutting {
     std::optional<double> tolerance;  // [m]; points and lines closer than this are joined
     std::optional<double> minArea;  // [m²]; smaller blocks are merged with a neighbour; 0: none are merged
@@ -214,8 +215,9 @@ struct SceneVoronoi {
 
 enum class Fix { All, X, Y, XY };
 
-/// Fixes a whole block (`blockAt`, fix all), one point of a block (`point`, fix x, y or xy), or the blocks on a side of
-/// the domain (`boundary`): as a whole (fix all), or only the corners of their faces on that side.
+/// A support of one of three kinds: `blockAt` fixes a whole block (fix all); `point` fixes one point of a block (fix x,
+/// y or xy); `boundary` fixes the blocks on a side of the domain, either as a whole (fix all) or only at the corners of
+/// their faces on that side.
 struct Support {
     std::optional<Point> blockAt;  // [m]
     std::optional<Point> point;  // [m]
@@ -295,7 +297,7 @@ struct StrengthChange {
     bool operator==(const StrengthChange&) const = default;
 };
 
-/// Equilibrium criteria of a static stage, and the limit of the search for equilibrium.
+/// Equilibrium criteria of a static stage, and the maximum number of steps of the search for equilibrium.
 struct Until {
     std::optional<double> unbalanced;  // unbalanced force / reference force; null: `automaticUnbalanced`
     std::optional<double> body;  // unbalanced force on a block / its own weight; null: 1e-3
@@ -358,7 +360,7 @@ enum class AfterCurve { Last, Zero };
 enum class OnFailure { None, BoltLost };
 enum class RuptureRule { Independent, Interaction };
 
-/// Position along a bolt: a distance from its far end, or its head.
+/// Position along a bolt: either a distance from its far end, or the head.
 struct BoltPlace {
     bool head = false;
     double s = 0.0;  // [m] from the far end; not used if `head`
@@ -386,7 +388,7 @@ struct Anchor {
     bool operator==(const Anchor&) const = default;
 };
 
-/// Face plate between the head node of a bolt and the rock. A null strength is unlimited.
+/// Face plate between the head node of a bolt and the rock. If a strength is null, it is unlimited.
 struct Plate {
     double normalStiffness = 1e9;  // [N/m]
     double shearStiffness = 1e8;  // [N/m]
@@ -451,8 +453,8 @@ struct Bolt {
     bool operator==(const Bolt&) const = default;
 };
 
-/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/bolt_pattern.h. The bolts of pattern P are
-/// named P.1, P.2, …
+/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/bolt_pattern.h. The bolts of a pattern named
+/// P are called P.1, P.2, …
 struct ScenePattern {
     std::string name;
     std::string type;
@@ -506,11 +508,11 @@ struct RunLimits {
     bool operator==(const RunLimits&) const = default;
 };
 
-/// Strengths that are divided by the factor of safety: those of joints, of bolt anchors, or of both.
+/// Which strengths are divided by the factor of safety: joint strengths, bolt anchor strengths, or both.
 enum class Reduce { Joints, Bonds, Both };
 
-/// Treatment of bolts while strengths are reduced: modelled as in an ordinary run, or replaced by dead loads equal to
-/// their forces at a factor of 1.
+/// Treatment of bolts while strengths are reduced: they are modelled as in an ordinary run, or replaced by dead loads
+/// equal to their forces at a factor of 1.
 enum class BoltForces { Mobilised, Frozen };
 
 /// Settings of the search for a factor of safety; ordinary runs ignore them.

@@ -38,13 +38,13 @@ struct SceneCut {
 bool needsCut(const Scene& scene);
 
 /// Cuts the domain and lays out the bolt patterns; a scene that needs neither is returned unchanged. The result does
-/// not depend on the order of joints, joint sets and tunnels, except where their traces coincide: there the first one
+/// not depend on the order of joints, joint sets and tunnels, except where their traces coincide: there, the first one
 /// determines the joint material of the face.
-/// \param stop if it becomes true, the cut ends early and its result must not be used; null: never
+/// \param stop if this becomes true, the cut ends early and its result must not be used; null: the cut is not stopped
 /// \pre the scene was checked without errors.
 SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop = nullptr);
 
-/// The word for a kind of note, e.g. `trimmed end`.
+/// Name of a kind of note, e.g. `trimmed end`.
 std::string_view wordOf(CutNoteKind kind);
 
 /// Text of the note on one line, without its position.

@@ -26,9 +26,9 @@ const SceneRegion* findRegion(const Scene& scene, const std::string& name);
 /// Index of the tunnel with this name; −1 if there is none.
 int findTunnel(const Scene& scene, const std::string& name);
 
-/// Index of the joint material of a joint: the one that it names, otherwise that of the domain, otherwise the first;
-/// `builtInJoint` if there is none.
-/// \param name joint material that the joint names, if any
+/// Index of the joint material of a joint: the material named by the joint, otherwise the material of the domain,
+/// otherwise the first one of the scene; `builtInJoint` if there is none.
+/// \param name the joint material named by the joint, if any
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);
 
@@ -44,7 +44,7 @@ bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel);
 /// \pre the scene has a domain, and the outline `points` does not cross itself.
 bool standsInOpening(const Scene& scene, const std::vector<Point>& points);
 
-/// Origin of traces, indexed by `CutTrace::source`.
+/// Origin of a trace. `CutTrace::source` is the index of the origin in `SceneTraces::sources`.
 struct TraceSource {
     std::string text;  // name for messages: joint 'fault', tunnel 'drift', …
     int joint = builtInJoint;  // joint-material index of the faces
@@ -60,7 +60,7 @@ struct SceneTraces {
 /// \pre the scene has a domain and its section was checked without errors.
 SceneTraces tracesOf(const Scene& scene);
 
-/// Settings of the cut for the scene's `cutting`.
+/// Settings for `cutIntoBlocks`, taken from the scene's `cutting`.
 CutSettings cutSettings(const Scene& scene);
 
 }  // namespace keyblock

@@ -34,7 +34,7 @@ struct SolvedBlocks {
 /// \pre the scene was checked without errors, or has neither cells nor plates modelled as blocks.
 SolvedBlocks solvedBlocks(const Scene& scene);
 
-/// Names of all solved blocks, in the order of the rows. \pre as for `solvedBlocks`.
+/// Names of all solved blocks, in the order of `SolvedBlocks::blocks`. \pre as for `solvedBlocks`.
 std::vector<std::string> blockNames(const Scene& scene);
 
 }  // namespace keyblock

@@ -13,10 +13,11 @@ namespace keyblock {
 /// `text` in single quotes, shortened to 60 bytes.
 std::string inQuotes(std::string_view text);
 
-/// The names in quotes, separated by commas; at most twelve are listed. `none` if the list is empty.
+/// The names in quotes, separated by commas; at most twelve are included. `none` if there are no names.
 std::string listed(const std::vector<std::string_view>& names);
 
-/// The name that was probably meant by `text`, i.e. one that differs in few letters; empty if there is none.
+/// The name that the user probably meant by `text`: one that differs from it in only a few letters; empty if there is
+/// none.
 std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names);
 
 /// Text of a remedy: `Did you mean 'x'?` if a name is similar, otherwise the list of names.

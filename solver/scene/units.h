@@ -16,8 +16,8 @@
 
 namespace keyblock {
 
-/// A unit, equal to `up`/`down` times the unit with the same dimensions in metres, kilograms, seconds and radians. The
-/// factor is stored as a fraction, so that 25 mm is exactly 0.025 m.
+/// A unit, equal to `up`/`down` times the SI unit of the same dimensions (from m, kg, s and rad). The factor is stored
+/// as a fraction, so that 25 mm is exactly 0.025 m.
 struct Unit {
     double up = 1.0, down = 1.0;
     std::array<int, 4> powers{};  // exponents of metre, kilogram, second and radian
@@ -58,18 +58,18 @@ inline constexpr UnitSymbol symbols[] = {
 };
 }  // namespace unit_table
 
-/// The table entry of a symbol; null if there is none. For products of symbols use `readUnit`.
+/// The table entry for a symbol; null if there is none. For products of symbols, use `readUnit`.
 constexpr const UnitSymbol* findUnit(std::string_view symbol) {
     for (const UnitSymbol& known : unit_table::symbols)
         if (known.text == symbol) return &known;
     return nullptr;
 }
 
-/// Unit of a symbol that is fixed in the code; an unknown symbol does not compile.
+/// Unit of a symbol that is written in the code; an unknown symbol is a compile-time error.
 consteval Unit namedUnit(std::string_view symbol) { return findUnit(symbol)->unit; }
 
-/// Reads products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. An empty text means no dimension.
-/// Text after a comma is a remark of the field table and is ignored.
+/// Parses products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. An empty string gives a
+/// dimensionless unit. Text after a comma is ignored, because it is a remark in the field table.
 /// \return the unit; none if a symbol is unknown.
 std::optional<Unit> readUnit(std::string_view text);
 
@@ -89,8 +89,8 @@ constexpr double perSi(const Unit& unit) { return unit.down / unit.up; }
 /// quantity has no name.
 std::string kindText(const Unit& unit);
 
-/// Places where the practical unit replaces the SI unit. Forms show lengths in metres, since sections are entered in
-/// metres.
+/// Where a practical unit is displayed instead of the SI unit. Forms show lengths in metres, since sections are entered
+/// in metres.
 enum class UnitUse { Everywhere, Forms, Pictures };
 
 struct PracticalUnit {

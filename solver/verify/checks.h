@@ -16,10 +16,10 @@ class Checks {
 public:
     explicit Checks(std::string name) : name_(std::move(name)) {}
 
-    /// Checks that `measured` is within `tolerance` of `expected`, as a fraction of `expected`.
+    /// Checks that `measured` differs from `expected` by at most `tolerance` times `expected`.
     void relative(const std::string& quantity, double measured, double expected, double tolerance);
 
-    /// Checks that `measured` is within `tolerance` of `expected`, in the unit of the quantity.
+    /// Checks that `measured` differs from `expected` by at most `tolerance`, given in the unit of the quantity.
     void absolute(const std::string& quantity, double measured, double expected, double tolerance);
 
     std::vector<CaseResult> take() { return std::move(results_); }

@@ -19,20 +19,21 @@ struct ModeSetting {
     int steps = 12;
 };
 
-/// Values of the mode at each step as integrated by the program, starting from 1 at rest: the normalised stress of a
-/// free block with an unbalanced initial stress. With Poisson's ratio 0 and the consistent mass ρw³h/12, ω² =
-/// 12E/(ρw²).
+/// Amplitude of the mode at each step as integrated by the program, starting at rest with amplitude 1. It is the
+/// normalised stress of a free block with an unbalanced initial stress. With Poisson's ratio 0 and the consistent mass
+/// ρw³h/12, ω² = 12E/(ρw²).
 std::vector<double> modeSeries(const ModeSetting& setting);
 
-/// Values of the mode at each step according to the formulas of the scheme for one mass on one spring, starting from 1.
+/// Amplitude of the mode at each step according to the formulas of the scheme for one mass on one spring, starting at
+/// rest with amplitude 1.
 std::vector<double> closedSeries(const ModeSetting& setting);
 
-/// Number of values that determine the next one: 2, or 3 if the scheme carries accelerations that do not follow from
-/// the forces.
+/// Number of preceding values that determine the next value: 2, or 3 if the scheme also stores accelerations that do
+/// not follow from the forces.
 int stepsRemembered(const ModeSetting& setting);
 
-/// Largest magnitude of a root of the linear recurrence of the given order that fits the series; NaN if the series has
-/// fewer than 2·`order` values.
+/// Spectral radius: the largest magnitude of a root of the linear recurrence of the given order that fits the series;
+/// NaN if the series has fewer than 2·`order` values.
 double spectralRadius(const std::vector<double>& series, int order);
 
 /// Spectral radius according to the formulas of the scheme.

@@ -23,10 +23,10 @@ struct Solved {
 /// Runs a scene in memory.
 Solved solve(Scene scene);
 
-/// Value of a quantity [SI]. \param quantity text as in a scene's `quantities`.
+/// Value of a quantity in SI units. \param quantity the quantity in the notation of a scene's `quantities`.
 double reading(const Solved& solved, const std::string& quantity);
 
-/// Values of one monitor over the history. \param component for point monitors, 0: ux, 1: uy.
+/// Values of one monitor over the history. \param component for point monitors: 0 for ux, 1 for uy.
 std::vector<double> series(const Solved& solved, const std::string& monitor, int component = 0);
 
 /// Displacement [m] of the monitor `slider` down a slope that dips at `slope` [°] towards +x.
@@ -38,7 +38,7 @@ std::vector<std::pair<double, double>> loadPath(const Solved& solved);
 /// Load [N] at an opening [m], interpolated linearly between the points of a load–opening curve.
 double loadAtOpening(const std::vector<std::pair<double, double>>& path, double opening);
 
-/// A debonding, rupture or plate loss, with the opening and joint force just before it.
+/// A debonding, rupture or plate loss, with the opening and the joint force just before it.
 struct Release {
     EventKind kind = EventKind::Debonding;
     int index = -1;  // node, or for a rupture the element
@@ -46,10 +46,10 @@ struct Release {
     double load = 0.0;  // [N]
 };
 
-/// All debondings, ruptures and plate losses, in order of time.
+/// All debondings, ruptures and plate losses, in chronological order.
 std::vector<Release> releases(const Solved& solved);
 
-/// Number of releases, counted from the first, whose nodes agree with `nodes`.
+/// Number of releases, from the first one on, that occur at the nodes given by `nodes`, in the same order.
 int agreeing(const std::vector<Release>& found, const std::vector<int>& nodes);
 
 /// Number of events of a kind.

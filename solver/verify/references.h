@@ -14,15 +14,15 @@
 
 namespace keyblock {
 
-/// A release in the reference: the node, counted from the far end, with the opening [m] and joint force [N] just before
-/// it.
+/// A release in the reference solution: the number of the node, counted from the far end, and the opening [m] and joint
+/// force [N] just before the release.
 struct ReferenceRelease {
     int node = 0;
     double opening = 0.0;
     double load = 0.0;
 };
 
-/// Releases of the paper's rebar with a brittle bond and E = 200 GPa, with the joint in the middle of an element.
+/// Releases of the paper's rebar with a brittle bond and E = 200 GPa; the joint is in the middle of an element.
 inline const std::vector<ReferenceRelease> brittleDebonding{
     {29, 0.64768e-3, 128.734691e3}, {30, 0.70975e-3, 128.734691e3}, {28, 0.78546e-3, 130.974229e3},
     {31, 0.84753e-3, 130.974229e3}, {27, 0.92561e-3, 133.213523e3}, {32, 0.98768e-3, 133.213523e3},
@@ -62,8 +62,8 @@ inline constexpr std::array<RebarReference, 6> rebarReferences{{
     {"reading (b)", 215.8e9, 22.32e3, 60, 121049.1, 0.645573e-3, 161424.6, 3.509922e-3, 3.541515e-3, 51},
 }};
 
-/// Nodes in their order of release: alternately on the two sides of the joint, then only on the far side, up to the far
-/// end.
+/// Nodes in the order in which they are released: alternately on the two sides of the joint, then only on the far side,
+/// up to the far end.
 /// \param divisions 59 or 60. \param releases 50 or 51.
 std::vector<int> rebarOrder(int divisions, int releases);
 
@@ -82,9 +82,9 @@ inline constexpr std::array<DBoltReference, 4> dBoltReferences{{
     {"table's steel, no plate", true, false, 159907.0, 4.2211e-3, 183359.0, 199426.0, 194.943e-3, 204518.0},
 }};
 
-/// Reference values for an elastic rebar under 200 kN; `force20` is the axial force in the element that starts at
-/// node 20. Computed with rock of 6e13 Pa, because with a stiff bond even the small strain of the rock affects the
-/// plate force (with 60 GPa it is 17321, 690.2 and 47.7 N).
+/// Reference values for an elastic rebar under 200 kN; `force20` is the axial force in the element that begins at node
+/// 20. The Young's modulus of the rock is 6e13 Pa, because with a stiff bond even small strains of the rock affect the
+/// plate force (at 60 GPa, the three plate forces are 17321, 690.2 and 47.7 N).
 struct ElasticRebarReference {
     double stiffness, opening, plate, largestAnchor, force20;  // [N/m], [m], [N]
 };
@@ -108,8 +108,8 @@ inline constexpr std::array<ShearLagReference, 3> shearLagReferences{{
     {80, 1.639847e-3, 117125.6, 64512.0},
 }};
 
-/// Reference values for the bond of `ShearLagReference` under 2 kN, with its stiffness given per length: joint opening
-/// without and with a rigid plate, and the plate force.
+/// Reference values for a load of 2 kN and the bond of `ShearLagReference`, with the bond stiffness given per length:
+/// joint opening without and with a rigid plate, and the plate force.
 struct PlateLagReference {
     int divisions;
     double openingWithout, openingWith, plate;  // [m], [m], [N]
@@ -121,8 +121,8 @@ inline constexpr std::array<PlateLagReference, 2> plateLagReferences{{
 }};
 
 /// Reference values for small displacements of a voussoir beam of 10 m span and 0.5 m depth with E = 10 GPa, ν = 0.25
-/// and a unit weight of 25 kN/m³, computed with 64 rows of bilinear finite elements. The thrust is within 0.1 % of that
-/// computed with 32 rows.
+/// and a unit weight of 25 kN/m³, computed with 64 rows of bilinear finite elements. The thrust differs by less than
+/// 0.1 % from the thrust computed with 32 rows.
 struct VoussoirReference {
     double thrust, arm;  // [N], [m]
 };

@@ -19,58 +19,64 @@ inline constexpr double hardRock = 60e9;  // [Pa] Young's modulus
 inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus of rock that is practically rigid relative to a bolt
 
 /// A scene without blocks: plane stress, 1 m thick, one rock material and one joint material.
-/// \param youngsModulus [Pa]. \param frictionAngle of the joint material [°].
+/// \param youngsModulus Young's modulus of the rock [Pa].
+/// \param frictionAngle friction angle of the joint material [°].
 Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngle);
 
-/// Rectangular block between its lower left and upper right corners [m].
+/// Rectangular block with the given lower left and upper right corners [m].
 Block boxBlock(const std::string& name, const Point& low, const Point& high);
 
-/// A block of 1 m × 0.5 m with the monitor `slider` on a fixed slope that dips at `slope` [°] towards +x. The block is
-/// released at t = 0 in a dynamic stage with time steps of 1 ms. \param duration [s].
+/// A block of 1 m × 0.5 m on a fixed slope that dips at `slope` [°] towards +x. The monitor `slider` records the
+/// displacement of the block, which is released at t = 0 in a dynamic stage with time steps of 1 ms.
+/// \param duration duration of the stage [s].
 Scene inclineScene(double slope, double frictionAngle, double duration);
 
 /// Two blocks that touch at x = `joint` [m], together `length` [m] long and 1 m high. The left block is fixed; the
 /// joint is frictionless. The scene has the monitor `opening`.
 Scene twoBlocks(double youngsModulus, double joint, double length);
 
-/// Stage that moves the right block of `twoBlocks` along x without rotation, in equal increments.
-/// \param displacement at the end [m].
+/// A stage that moves the right block of `twoBlocks` along x without rotation, in equal increments.
+/// \param displacement displacement at the end of the stage [m].
 Stage pullStage(const Scene& scene, double displacement, int increments);
 
-/// Stage that loads the right block of `twoBlocks` along x in equal increments. \param force at the end [N].
+/// A stage that loads the right block of `twoBlocks` along x in equal increments.
+/// \param force force at the end of the stage [N].
 Stage loadStage(const Scene& scene, double force, int increments);
 
-/// Adds a bolt along y = 0.5 m. Also appends the monitor `joint force`, in the element that crosses the joint or
-/// reaches it from the left.
-/// \param from, to x of the far end and of the head [m].
+/// Adds a bolt along y = 0.5 m, and a monitor named `joint force`. The monitor records the axial force in the element
+/// that crosses the joint or, if the joint is at a node, in the element to the left of the joint.
+/// \param from, to x coordinates of the far end and of the head [m].
 void addBolt(Scene& scene, const BoltType& type, double from, double to, int divisions, PlateKind plate);
 
-/// Bolt type with a linear elastic shank of unlimited strength. \param area steel area [m²]. \param youngsModulus [Pa].
+/// Bolt type with a linear elastic shank of unlimited strength.
+/// \param area steel area [m²]. \param youngsModulus Young's modulus of the steel [Pa].
 BoltType linearType(double area, double youngsModulus);
 
-/// Bolt type like `linearType`, but with a stress–strain curve. \param steel (strain, stress [Pa]) from the origin.
+/// Bolt type like `linearType`, but with a stress–strain curve.
+/// \param steel points (strain, stress [Pa]) of the curve, starting at the origin.
 BoltType steelType(double area, const Table& steel);
 
-/// Anchors of one law along the whole bolt. \param per whether stiffness, strength and residual are per node or per
-/// length.
+/// Anchors with the same bond law along the whole bolt.
+/// \param per whether stiffness, strength and residual strength are given per node or per length.
 Anchor anchorRange(Per per, AnchorLaw law, double stiffness, std::optional<double> strength, double residual);
 
-/// Anchor at the node nearest to the distance `s` [m] from the far end.
+/// An anchor at the node whose distance from the far end is closest to `s` [m].
 Anchor anchorAt(double s, AnchorLaw law, double stiffness);
 
 /// Cross-sectional area of a round bar of 20 mm diameter [m²].
 double barArea();
 
-/// The paper's rebar across the joint of two blocks, pulled by `displacement` [m].
-/// \param youngsModulus of the bar [Pa]. \param peak peak bond force per node [N].
-/// \param divisions 59: joint within an element, 60: joint at a node. \param rockModulus Young's modulus [Pa].
+/// The paper's rebar, which crosses the joint between two blocks. The right block is pulled by `displacement` [m].
+/// \param youngsModulus Young's modulus of the bar [Pa]. \param peak peak bond force per node [N].
+/// \param divisions 59: the joint is within an element; 60: it is at a node.
+/// \param rockModulus Young's modulus of the rock [Pa].
 Scene paperRebar(double youngsModulus, double peak, int divisions, double rockModulus, double displacement,
                  int increments);
 
 /// The paper's D-bolt, with a face plate of stiffness 1e9 N/m or without one.
 Scene paperDBolt(const Table& steel, PlateKind plate, double rockModulus, double displacement, int increments);
 
-/// The paper's rebar with an elastic bond under 200 kN, with a face plate of stiffness 1e9 N/m.
+/// The paper's rebar with an elastic bond and a face plate of stiffness 1e9 N/m, under a load of 200 kN.
 /// \param springStiffness bond stiffness per node [N/m].
 Scene elasticRebar(double springStiffness, double rockModulus);
 
