@@ -23,7 +23,7 @@ struct Checked {
 };
 
 /// Checks, cuts and draws a scene synchronously. Exceptions are reported as problems.
-/// \param stop if it becomes true, the work ends early with a partial result; null: cannot be stopped
+/// \param stop if this becomes true, the work ends early with a partial result; null: the work is not stopped
 std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene,
                                          const std::atomic<bool>* stop = nullptr);
 

@@ -25,13 +25,13 @@ class Background;
 class LazyScene;
 struct Edit;
 
-/// A scene of a restored undo stack, with the name of the step that led to it.
+/// A scene of a restored undo stack, with the name of the undo step that produced it.
 struct RestoredStep {
     QString name;  // empty for the first scene
     std::shared_ptr<const LazyScene> scene;
 };
 
-/// What could be read of a file with errors.
+/// Result of reading as much as possible from a file with errors.
 struct PartReading {
     QString path;
     QByteArray text;  // contents of the file
@@ -51,15 +51,14 @@ public:
     const std::shared_ptr<const Scene>& scene() const;
 
     /// Adds an undo step called `step`, and ends a preview. An edit that changes nothing adds no step.
-    /// \param pointers maps pointers from before the step to those after it
+    /// \param pointers maps pointers that were valid before the step to the corresponding pointers after it
     void apply(const QString& step, Scene after, PointerChange pointers = {});
 
-    /// Applies an edit unless it was refused. Reports why it was refused, or what else it changed. Returns false if it
-    /// was refused.
+    /// Applies an edit and reports its notes. If the edit was refused, reports the reason instead and returns false.
     bool apply(const QString& step, Edit edit);
 
-    /// Shows and checks a scene during a drag without adding an undo step. `endPreview` returns to the scene of the
-    /// document.
+    /// Shows and checks a scene during a drag, without adding an undo step. `endPreview` shows the scene of the
+    /// document again.
     void preview(Scene during);
     void endPreview();
     bool isPreviewing() const { return preview_ != nullptr; }
@@ -77,20 +76,20 @@ public:
     QString title() const;  // file name, or `untitled`
     bool isModified() const;
 
-    /// Replaces the document by a scene that is not in a file yet. \param isWork true: the scene counts as modified,
-    /// e.g. after an import
+    /// Replaces the document with a scene that is not in a file yet.
+    /// \param isWork true: the scene counts as modified, e.g. after an import
     void startNew(Scene scene, const QString& name = {}, bool isWork = false);
 
-    /// Replaces the document by one with undo steps. Only the current scene is read at once; the others are read when
-    /// undo or redo reaches them.
+    /// Replaces the document with a restored one, including its undo steps. Only the current scene is read at once; the
+    /// others are read when undo or redo reaches them.
     /// \param index index of the current step
     /// \param saved index of the step that is in the file
     /// \pre `steps` is not empty, both indices are valid, and every scene can be read.
     void restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                  const QString& path, const QString& name);
 
-    /// Opens a file. If this fails, returns the errors and leaves the document unchanged. Warnings about a scene that
-    /// opens are reported by the check.
+    /// Opens a file. If this fails, returns the errors and leaves the document unchanged. If it succeeds, warnings
+    /// about the scene are reported by the check.
     std::vector<Problem> open(const QString& path);
 
     /// Opens the readable part of a file with errors as a new document without a file, so that saving does not
@@ -101,7 +100,7 @@ public:
     /// Writes the file atomically. \throws CannotWrite
     void save(const QString& path);
 
-    /// Call if the file no longer exists: the document then counts as modified.
+    /// Call this if the file no longer exists; the document then counts as modified.
     void fileIsGone();
 
 Q_SIGNALS:

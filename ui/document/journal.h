@@ -21,7 +21,7 @@ class Document;
 class JournalFile;
 class LazyScene;
 
-/// The folder of the journals, inside the program's data folder for the user.
+/// The folder of the journals, within the folder for the program's user data.
 QString journalFolder();
 
 class Journal : public QObject {
@@ -40,7 +40,7 @@ public:
     /// Continues a journal that was not closed.
     /// \param lines lines of that journal
     /// \param states scenes of its steps
-    /// \param restore sets the undo steps of the document to those of the journal
+    /// \param restore restores the undo steps of the journal in the document
     void goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
               const std::function<void()>& restore);
     /// Calls `done` once all edits so far are on disk or the journal is closed; immediately if this is already the

@@ -29,8 +29,8 @@ public:
     using ScenePtr = std::shared_ptr<const Scene>;
 
     /// Creates the file.
-    /// \param report called from the writer's thread with an error that stops writing (a full disk, for example), and
-    /// with an empty text once all lines have been written after an error
+    /// \param report called from the writer's thread: with an error message if writing stops (e.g. because the disk is
+    /// full), and with an empty string once all lines have been written after an error
     /// \throws CannotWrite
     JournalFile(const std::filesystem::path& path, std::function<void(std::string)> report);
     /// Writes pending lines, then closes and unlocks the file.
@@ -39,9 +39,10 @@ public:
     JournalFile& operator=(const JournalFile&) = delete;
 
     void begin(const std::string& path, const std::string& name, ScenePtr first, bool isSaved);
-    /// Starts with the lines of another journal, in order to continue it.
+    /// Starts with a copy of the lines of another journal, in order to continue it.
     void begin(std::string lines);
-    /// \param before null: the previous scene is in the journal, but was not written by this program
+    /// Writes an undo step. \param before the previous scene; null: it is in the journal already, from an earlier
+    /// session
     void step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after);
     void move(std::size_t index);
     void saved(std::optional<std::size_t> index, const std::string& path);

@@ -44,10 +44,10 @@ std::string journalStep(std::size_t index, const std::string& name, std::string_
 /// Like `journalStep`, for a reader that does not know the text of the previous scene.
 std::string journalWholeStep(std::size_t index, const std::string& name, const std::string& after);
 std::string journalMove(std::size_t index);
-/// Line for a save of the scene at `index`; none: no scene on the undo stack is the saved one.
+/// Line for a save of the scene at `index`; none: the saved scene is not on the undo stack.
 std::string journalSaved(std::optional<std::size_t> index, const std::string& path);
 
-/// Reads a journal up to the first damaged line. \param mostChanges number of changes after which reading stops
+/// Reads a journal up to the first damaged line. \param mostChanges maximum number of changes to read; null: all
 Journalled readJournal(std::string_view text, std::optional<std::size_t> mostChanges = {});
 
 /// The text of the scene after a step. \param before text before the step; not used if the step stores the whole text

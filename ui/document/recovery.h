@@ -16,7 +16,7 @@ namespace keyblock {
 
 class Document;
 
-/// A journal that was not closed before its program ended.
+/// A journal that was not closed, because the program ended unexpectedly.
 struct Abandoned {
     QString journal;  // path of the journal file
     QString path;  // path of the scene file; empty: never saved
@@ -27,14 +27,15 @@ struct Abandoned {
     QString damage;  // error message; empty: no damage
 };
 
-/// Documents that can be recovered, latest first. Skips journals of open windows and removes those with nothing to
-/// recover. Journals that cannot be read or used are listed in `unusable`; damaged ones are renamed to `….damaged`.
+/// Documents that can be recovered, latest first. Journals of open windows are skipped; journals with nothing to
+/// recover are deleted. Journals that cannot be read or used are listed in `unusable`; damaged ones are renamed to
+/// `….damaged`.
 std::vector<Abandoned> abandonedJournals(const QString& folder = journalFolder(), QStringList* unusable = nullptr);
 
 enum class Recover { Everything, WithoutLastCommand };
 
-/// Restores a document with its undo steps. The old journal is removed once `journal` has stored all of it. Returns why
-/// the document cannot be recovered; empty if it was recovered.
+/// Restores a document with its undo steps. The old journal is removed once `journal` has stored all of it. Returns the
+/// reason why the document cannot be recovered; empty if it was recovered.
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal);
 
 /// Discards the edits recorded in this journal.

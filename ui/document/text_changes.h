@@ -12,14 +12,14 @@
 
 namespace keyblock {
 
-/// A range of a text, and the text that replaces it.
+/// A range of bytes in a text, and the text that replaces it.
 struct TextChange {
     std::size_t begin = 0, removed = 0;  // range in the old text [bytes]
     std::string text;
 };
 
-/// The changes that turn `before` into `after`, in order and without overlap; UTF-8 characters are never split. The set
-/// of changes is not always the smallest possible, but it is found in time proportional to the length of the texts.
+/// The changes that turn `before` into `after`, in order and not overlapping; UTF-8 characters are never split. The
+/// changes are not always the fewest possible, but they are found in time proportional to the length of the texts.
 std::vector<TextChange> textChanges(std::string_view before, std::string_view after);
 
 /// True if the changes are in order and lie within a text of `length` bytes.

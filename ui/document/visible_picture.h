@@ -13,7 +13,8 @@ namespace keyblock {
 
 class Visibility;
 
-/// The drawing in `checked` without hidden objects; the same drawing if nothing is hidden, null if there is no drawing.
+/// The drawing from `checked` without the hidden objects. If nothing is hidden, the same drawing is returned; null if
+/// there is no drawing.
 std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
 
 }  // namespace keyblock

@@ -10,8 +10,9 @@
 
 namespace keyblock {
 
-/// Adds `item` at the end of a list. In a list of named entries, the item keeps its name if it is unused; otherwise it
-/// gets a new one. \param pointer the JSON pointer of the list.
+/// Adds `item` at the end of a list. In a list of named entries, the item keeps its name if the list does not contain
+/// this name yet; otherwise the item gets a new name.
+/// \param pointer the JSON pointer of the list.
 template <typename Item>
 Edit appended(const Scene& scene, std::vector<Item> Scene::*list, const std::string& pointer, const Item& item) {
     Edit edit{scene};

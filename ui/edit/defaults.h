@@ -25,31 +25,33 @@ void makeDefaults(const Scene& scene, const Structure& structure, void* made);
 /// The reason why the corners do not form a valid outline; empty if they do.
 std::string outlineProblem(const std::vector<Point>& points);
 
-/// Sets the outline of the rock. If the scene has no supports, the base is fixed and the sides are put on vertical
-/// rollers. Refused if the outline has no area or crosses itself.
+/// Sets the outline of the rock. If the scene has no supports, adds the default ones with `supportSides`. Refused if
+/// the outline has no area or crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
-/// Fixes the base of the outline and puts its sides on vertical rollers. \pre the scene has an outline and no supports.
+/// Fixes the base of the outline, and adds roller supports at the sides, which can then move only vertically.
+/// \pre the scene has an outline and no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt after the excavation of the tunnel that has the head of the bolt inside it or on its wall. Does
+/// Installs a bolt after the excavation of the tunnel that contains the head of the bolt, inside or on the wall. Does
 /// nothing if there is no such tunnel, or if no stage excavates it.
 void installOnWall(Edit& edit, const Bolt& bolt);
 
-/// Adds a tunnel. It is excavated in the last stage that already excavates something, otherwise in the first stage with
-/// "excavat" in its name. If there is no such stage, the tunnel is open from the start.
+/// Adds a tunnel. It is excavated in the last stage that already excavates something or, if there is none, in the first
+/// stage with "excavat" in its name. If there is no such stage either, the tunnel is open from the start.
 Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 
-/// Adds a bolt pattern or a bolt. If a stage excavates its tunnel, it is installed in the first later stage that
-/// installs bolts. If there is no such stage, a new one is inserted after the excavation. By default, half of the wall
-/// relaxation is then moved to the new stage, because bolts installed after all movement carry no load.
+/// Adds a bolt pattern or a bolt. If a stage excavates the tunnel to which it belongs, the new bolts are installed in
+/// the first later stage that installs bolts. If there is no such stage, a new stage is inserted after the excavation.
+/// By default, half of the wall relaxation is then moved to the new stage, because bolts installed after all movement
+/// carry no load.
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 
-/// Sets the kind of a stage. A dynamic stage without a duration gets a default one.
+/// Sets the kind of a stage. A dynamic stage without a duration gets a default duration.
 Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind);
 
-/// Name of the first material or joint material of the scene; empty if there is none.
+/// Name of the first rock material or joint material of the scene; empty if there is none.
 std::string firstMaterial(const Scene& scene);
 std::string firstJointMaterial(const Scene& scene);
 

@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// The value of an expression, or the reason why it has none.
+/// The value of an expression, or an error message if it has no value.
 struct ExpressionResult {
     std::optional<double> value;  // finite
     std::string problem;

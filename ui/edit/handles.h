@@ -27,7 +27,8 @@ std::vector<Handle> handlesOf(const Scene& scene, const std::string& pointer);
 /// wall; for a bolt, the wall must be within `reach` [m].
 Edit dragHandle(const Scene& scene, const std::string& pointer, std::size_t index, const Point& place, double reach);
 
-/// Adds a corner to a line or an outline, at its point nearest to `place`. Refused for objects without corners.
+/// Adds a corner to a line or an outline, at the point of the line nearest to `place`. Refused for objects without
+/// corners.
 Edit withCorner(const Scene& scene, const std::string& pointer, const Point& place);
 
 }  // namespace keyblock

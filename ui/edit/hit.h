@@ -12,9 +12,9 @@
 
 namespace keyblock {
 
-/// Indices of the objects within `radius` [m] of a point, the most likely target first: at a similar distance, small
-/// objects come before large ones; interiors of openings and blocks come last. A domain or a region is hit only on its
-/// outline, and joints are not hit inside openings.
+/// Indices of the objects within `radius` [m] of a point, the most likely target first. If several are about equally
+/// near, small objects come before large ones; interiors of openings and blocks come last. A domain or a region is hit
+/// only on its outline, and joints are not hit inside openings.
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius);
 
 enum class BoxRule {

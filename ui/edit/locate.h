@@ -23,18 +23,18 @@ struct ScenePlace {
     std::optional<std::size_t> element{};  // index of the element, for Points, a PointPair or a TextList
     const Field* misplaced = nullptr;  // first field on the path that does not apply to its owner; null: all apply
 
-    /// True if the pointer refers to a struct: the scene, an Object that is not null, or an entry.
+    /// True if the pointer refers to a struct: the scene, an Object that is not null, or an entry of a List or Map.
     bool isObject() const;
     const Structure& objectStructure() const;  // \pre isObject()
     const void* object() const;  // \pre isObject()
 };
 
 /// Finds what a pointer refers to; null if it refers to nothing in this scene. For an Object that is null, the result
-/// refers to the field of its owner.
+/// refers to the field that contains the Object.
 std::optional<ScenePlace> locate(const Scene& scene, std::string_view pointer);
 
-/// Pointer of the object that contains `pointer`, or `pointer` itself if it refers to an object: `/bolts/3` for
-/// `/bolts/3/head`. Empty for fields of the scene itself and for invalid pointers.
+/// Pointer to the object that contains `pointer`, e.g. `/bolts/3` for `/bolts/3/head`; `pointer` itself if it refers to
+/// an object. Empty for fields of the scene itself and for invalid pointers.
 std::string objectPointer(const Scene& scene, std::string_view pointer);
 
 /// Removes const from the address. \pre the caller owns the scene, and nothing else shares it.

@@ -13,15 +13,16 @@
 
 namespace keyblock {
 
-/// `stem` followed by the next number after the largest one used with this stem in `taken`: J13 if J12 is the last.
+/// `stem` followed by an unused number, one above the largest number that follows this stem in `taken`: J13 if the last
+/// is J12.
 std::string freeName(std::string_view stem, const std::vector<std::string>& taken);
 
-/// An unused name for a new entry of the list or map at a JSON pointer, in the style of its kind: `J13`, `B2`, `stage
-/// 3`. Empty if the entries have no names.
+/// An unused name for a new entry of the list or map at a JSON pointer, in the usual form for its kind: `J13`, `B2`,
+/// `stage 3`. Empty if the entries have no names.
 std::string newName(const Scene& scene, std::string_view list);
 
-/// An unused name for a copy of the entry `name` of a list: `name` itself if it is not used there, otherwise e.g. `J13`
-/// for `J12` or `roof 2` for `roof`.
+/// An unused name for a copy of the entry `name` of a list: `name` itself if the list does not contain it, otherwise
+/// e.g. `J13` for `J12` or `roof 2` for `roof`.
 std::string nameOfCopy(const Scene& scene, std::string_view list, std::string_view name);
 
 /// Title of the object at a JSON pointer, as shown to the user: `joint J12`, `domain`, `load 2 of stage load`, `bottom

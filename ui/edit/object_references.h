@@ -23,7 +23,8 @@ enum class WhenGone {
     Owner  // the object that contains the reference is deleted too
 };
 
-/// A reference to another object by its name, which may be only part of a text of the scene: `P1` in `P1.3`.
+/// A reference to another object by its name. The name may be only part of a string in the scene, such as `P1` in
+/// `P1.3`.
 struct Reference {
     Named kind = Named::Material;
     std::string pointer;  // JSON pointer of the text
@@ -34,15 +35,15 @@ struct Reference {
     std::string name() const { return text->substr(at, length); }
 };
 
-/// All references, in the order of the parts of the scene. If no object has the name, the reference has the kind that
-/// its field expects.
+/// All references, in the order in which they occur in the scene. If no object has the name, the reference has the kind
+/// that its field expects.
 std::vector<Reference> referencesOf(Scene& scene);
 
 /// JSON pointer of the list or map that contains objects of this kind.
 std::string listOf(Named kind);
 
-/// Sets `kind` to the kind of the objects in the list at this JSON pointer; returns false if they cannot be referred
-/// to.
+/// Sets `kind` to the kind of the objects in the list at this JSON pointer; returns false if other fields cannot refer
+/// to these objects.
 bool kindOfList(std::string_view list, Named& kind);
 
 /// Names of all objects of a kind, in the order of their list.

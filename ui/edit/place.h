@@ -16,9 +16,10 @@ namespace keyblock {
 Edit moveAll(const Scene& scene, const std::vector<std::string>& pointers, const Point& offset);
 
 /// Adds copies of objects of `source` (the same scene or another one), shifted by `offset` [m], under unused names.
-/// Copies refer to each other as the originals do. Within the same scene, they are excavated, installed and removed in
-/// the same stages as the originals. Materials and bolt types that `scene` lacks are added. `Edit::notes` lists what
-/// could not be copied. \param made receives the JSON pointers of the copies.
+/// Copies refer to each other as the originals do. Within the same scene, copies are excavated, installed and removed
+/// in the same stages as the originals. Materials and bolt types that are missing in `scene` are added. `Edit::notes`
+/// lists what could not be copied.
+/// \param made receives the JSON pointers of the copies.
 Edit copyAll(const Scene& scene, const Scene& source, const std::vector<std::string>& pointers, const Point& offset,
              std::vector<std::string>& made);
 

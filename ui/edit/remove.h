@@ -19,8 +19,8 @@
 
 namespace keyblock {
 
-/// Deletes what the JSON pointers refer to: entries of lists and maps, single points of a line, objects such as
-/// `/domain`. Invalid pointers are skipped; if all are invalid, the edit is refused.
+/// Deletes the objects to which the JSON pointers refer: entries of lists and maps, single points of a line, or objects
+/// such as `/domain`. Invalid pointers are skipped; if all are invalid, the edit is refused.
 Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers);
 
 /// Like `removeAll` for a single pointer.

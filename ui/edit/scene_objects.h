@@ -46,12 +46,12 @@ std::optional<Box> boxOf(const SceneObject& object);
 /// True if the point lies inside one of the tunnels among the objects; false if it lies on a wall.
 bool isInOpening(std::span<const SceneObject> objects, const Point& place);
 
-/// All objects, in the order of the parts of the scene. Accepts any scene, even an invalid one; objects without usable
-/// points are omitted.
+/// All objects, in the order in which they occur in the scene. Accepts any scene, even an invalid one; objects without
+/// usable points are omitted.
 std::vector<SceneObject> objectsOf(const Scene& scene);
 
-/// The traces of a joint set in its region, as in `objectsOf`, for a preview. Empty if they cannot be generated or if
-/// their number would exceed `mostShownTraces`.
+/// The traces of a joint set within its region, for a preview; they are the same as in `objectsOf`. Empty if they
+/// cannot be generated or if their number would exceed `mostShownTraces`.
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set);
 
 inline constexpr double mostShownTraces = 10000.0;  // same limit as in the check

@@ -11,8 +11,8 @@
 namespace keyblock {
 
 /// Resets fields that do not apply, such as `increments` of a dynamic stage, to their defaults. Clears `like` of bolt
-/// types whose base cannot be resolved; their values are kept. Removes built-in bolt types that are not used and adds
-/// those that are.
+/// types whose base type cannot be resolved; their values are kept. Removes built-in bolt types that are not used, and
+/// adds built-in bolt types that are used but missing.
 void settle(Scene& scene);
 
 }  // namespace keyblock

@@ -16,7 +16,8 @@
 
 namespace keyblock {
 
-/// End or corner, intersection, midpoint or centre, foot of a perpendicular, nearest point on a line, grid point.
+/// Kinds of snap points: end or corner, intersection, midpoint or centre, foot of a perpendicular, nearest point on a
+/// line, grid point.
 enum class SnapKind { End, Intersection, Middle, Foot, OnLine, Grid };
 
 struct Snap {

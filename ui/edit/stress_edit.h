@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// In-situ stress that increases with depth: the vertical stress is the weight of the overburden, and the horizontal
-/// stress is K0 times the vertical stress.
+/// In-situ stress that increases with depth: the vertical stress is the overburden stress, and the horizontal stress is
+/// K0 times the vertical stress.
 struct DepthStress {
     double surfaceY = 0.0;  // elevation of the ground surface [m]
     double unitWeight = 0.0;  // of the overburden [N/m³]

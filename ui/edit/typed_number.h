@@ -18,13 +18,13 @@ struct TypedNumber {
     std::string problem;  // a sentence; empty if there is a value
 };
 
-/// Reads a number such as `12,5`, `300mm`, `2.5 kN`, `=5/2+0.1` or `=2m + 300mm`.
-/// \param unit the unit of the result and of a number without a unit (`m`, `MPa`, `°`, …; empty: dimensionless).
-/// Numbers with another unit of the same kind are converted.
+/// Reads a number such as `12,5`, `300mm`, `2.5 kN`, `=5/2+0.1` or `=2m + 300mm`. Numbers with a unit of the same kind
+/// are converted to `unit`.
+/// \param unit unit of the result, and of numbers typed without a unit (`m`, `MPa`, `°`, …; empty: dimensionless).
 TypedNumber typedNumber(std::string_view text, std::string_view unit);
 
-/// The text of a number in plain characters: true minus signs become '-', and spaces at the ends and between thousands
-/// are removed.
+/// Converts the text of a number to plain characters: true minus signs are replaced by '-', and spaces at the ends and
+/// between thousands are removed.
 std::string plainNumberText(std::string_view text);
 
 }  // namespace keyblock

@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// Points to which a typed point may be relative.
+/// Reference points for typed relative coordinates.
 struct TypingContext {
     std::optional<Point> previous;  // the last point drawn [m]
     Point mouse{0.0, 0.0};  // position of the mouse [m], after snapping and the ortho constraint
@@ -28,7 +28,7 @@ struct TypedPoint {
 /// Reads `12.5,3` (absolute), `@2,0` (relative to the last point), `@3<45` (length and direction in degrees from the
 /// last point) or `2.5` (distance from the last point towards the mouse). Each number may have a unit or be an
 /// expression. With decimal commas, a semicolon separates the coordinates: `12,5;3,25`.
-/// \param unit the unit of lengths without a unit.
+/// \param unit unit of lengths typed without a unit.
 TypedPoint typedPoint(std::string_view text, const TypingContext& context, std::string_view unit = "m");
 
 }  // namespace keyblock

@@ -21,7 +21,8 @@ struct WallPlace {
     std::string name;  // shown to the user: `wall of tunnel drift`
 };
 
-/// The nearest wall within `radius` [m] of a point, tunnels before other faces; null if there is none.
+/// The nearest wall within `radius` [m] of a point; null if there is none. Tunnel walls take precedence over other
+/// faces.
 std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double radius);
 
 /// The point on the wall of a tunnel nearest to `place`, at any distance; null if the tunnel does not exist or its
