@@ -20,10 +20,10 @@ namespace keyblock {
 
 struct Theme;
 
-/// The window's font at another size [px].
+/// The window's font in the given size [px].
 QFont screenFont(int pixels, bool bold = false);
 
-/// A panel with a thin border and round corners.
+/// Paints a panel with a thin border and rounded corners.
 void paintPanel(QPainter& painter, const Theme& theme, const QRectF& rect);
 
 struct CallOut {
@@ -37,8 +37,8 @@ struct CallOut {
 QSizeF sizeOf(const CallOut& callOut);
 void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut, const QRectF& rect);
 
-/// Text with an outline in the casing colour, so that it is readable over lines. \param at position on the baseline
-/// [px].
+/// Paints text with an outline in the casing colour, so that it is readable over lines. \param at position on the
+/// baseline [px].
 void paintCased(QPainter& painter, const Theme& theme, const QPointF& at, const QString& text, const QColor& colour);
 
 }  // namespace keyblock

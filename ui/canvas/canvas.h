@@ -48,12 +48,12 @@ public:
     void addOverlay(const CanvasOverlay* overlay);
     void removeOverlay(const CanvasOverlay* overlay);
 
-    /// Sets the style. True: plain rock with lighter joints, for drawing; false: coloured results.
+    /// Sets the style. True: plain rock with lighter joints, for drawing. False: coloured results.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Shows or hides the legend; it is hidden if the legend of a neighbouring canvas applies to both.
+    /// Shows or hides the legend. It is hidden if the legend of a neighbouring canvas applies to both.
     void setLegend(bool legend);
-    /// Outlines a block, with a call-out; null: none.
+    /// Outlines a block and shows its call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
     /// Sets the hint of an empty canvas.
     /// \param aside true: show the hint at the bottom instead of in the middle, because a drawing is visible behind it.
@@ -63,7 +63,7 @@ public:
     void setExtent(const std::optional<Box>& extent) { extent_ = extent; }
 
     const CanvasMap& map() const { return map_; }
-    /// Zooms to tunnels and bolts, or to the whole model if the view already shows these.
+    /// Zooms to the tunnels and bolts or, if the view shows them already, to the whole model.
     void fit();
     /// Zooms to a box. Like a fitted view, it is kept when the canvas is resized, until the user pans or zooms.
     void zoomTo(const Box& box);

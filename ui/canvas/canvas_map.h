@@ -23,9 +23,10 @@ public:
     QSizeF size() const { return size_; }
     Point centre() const { return centre_; }
 
-    /// Sets the size of the widget [px]; the point in the middle stays in the middle.
+    /// Sets the size of the widget [px]. The centre of the view does not change.
     void resize(const QSizeF& size) { size_ = size; }
-    /// Fits the box into the part `room` of the widget, centred. A box without extent is treated as 1 m wide and high.
+    /// Scales and centres the view so that the box fits into the part `room` of the widget. A box of zero size is
+    /// treated as 1 m wide and high.
     void show(const Box& box, const QRectF& room);
     /// Copies the centre and the scale of another map.
     void lookAs(const CanvasMap& other);

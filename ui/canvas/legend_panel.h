@@ -42,8 +42,8 @@ QRectF legendPartRect(const Theme& theme, const LegendContent& content, const QS
 inline constexpr double legendExtent = 240.0;  // from the right side of the canvas to the left side of the panel [px]
 
 /// Space that the legend takes up at the right or the bottom of a canvas [px]. On a narrow canvas it depends on the
-/// colour bars and is zero if these do not fit. On a wider canvas it does not depend on the content, so that the
-/// section does not move when marks appear.
+/// colour bars and is zero if they do not fit. On a wider canvas it does not depend on the content, so that the section
+/// does not move when marks appear.
 QMarginsF legendRoom(const Theme& theme, const LegendContent& content, const QSizeF& canvas);
 
 }  // namespace keyblock

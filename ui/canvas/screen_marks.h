@@ -23,7 +23,7 @@ MarkTheme screenMarks(const Theme& theme);
 void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPointF& along, bool small,
                const MarkTheme& theme);
 
-/// Name of a kind of mark in the legend, such as "Bonded".
+/// The name that the legend uses for a kind of mark, such as "Bonded".
 QString markName(MarkKind kind);
 
 }  // namespace keyblock

@@ -34,7 +34,7 @@ public:
 
     void paint(QPainter& painter);
 
-    /// Rectangles of the legend and the scale bar, if they are shown [px].
+    /// Rectangles [px] of the legend and the scale bar, if they are shown.
     std::vector<QRectF> panels() const;
     /// Rectangle of the colour bar of a quantity in the legend [px]; empty if it is not shown.
     QRectF legendPart(LegendPart part) const;

@@ -32,7 +32,7 @@ public:
     ~SectionWidget() override;
 
     SectionView& view() { return view_; }
-    /// Called before each painting to render pending changes, so that the marks painted above use the same camera.
+    /// Called before each painting to render pending changes, so that the marks painted on top use the same camera.
     std::function<void()> beforePaint;
     /// Renders the section with the view centred on `centre` [m]. \param picture the picture shown, or null.
     void render(const Point& centre, double pixelsPerMetre, const SectionPicture* picture);

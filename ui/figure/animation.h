@@ -17,8 +17,9 @@ namespace keyblock {
 
 class Animation {
 public:
-    /// Prepares images of the frames of the requested stage, or of the whole run. Format and time of the request are
-    /// ignored. \pre the run outlives this object.
+    /// Prepares images of the frames of the requested stage, or of the whole run. The format and the time in the
+    /// request are ignored.
+    /// \pre the run outlives this object.
     /// \throws CannotDraw if there are no frames, or if the quantity is unknown or shown by arrows.
     Animation(const RunSource& run, const FigureRequest& request);
     ~Animation();
@@ -28,12 +29,12 @@ public:
     std::size_t size() const;  // number of images
     int columns() const;  // width of an image [px]
     int rows() const;  // height of an image [px]
-    /// Index of the run's frame that an image shows.
+    /// Index, within the run, of the frame that an image shows.
     std::size_t frame(std::size_t picture) const;
 
     /// Pixels of an image, in rows from top to bottom, with four bytes per pixel: blue, green, red, unused.
     std::string pixels(std::size_t picture) const;
-    /// An image as the bytes of a PNG file. The same run and request give the same bytes.
+    /// An image as the contents of a PNG file. The same run and request always give the same bytes.
     std::string png(std::size_t picture) const;
 
 private:
@@ -44,7 +45,8 @@ private:
 /// File name of an image in a folder of images: `frame-0001.png` for index 0.
 std::string pictureName(std::size_t picture);
 
-/// True if a folder of images may contain a file with this name: an image, or the list `frames.csv`.
+/// True if this is the name of a file in a folder of images: the name of an image, or `frames.csv` for the list of
+/// images.
 bool isOfPictures(const std::string& name);
 
 /// Writes the list of images as CSV: file, stage, time and step of each image.

@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Creates the application object on the first call. Fonts and the order of hash tables are then the same in every
-/// process.
+/// Creates the application object on the first call. Fonts and the iteration order of hash tables are then the same in
+/// every process.
 void needApplication();
 
 }  // namespace keyblock

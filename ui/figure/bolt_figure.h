@@ -8,8 +8,8 @@
 
 namespace keyblock {
 
-/// Draws the requested bolt, or the one with the largest axial force if none is requested. \throws CannotDraw if the
-/// run has no bolts, or none at the requested time.
+/// Draws the requested bolt or, if none is requested, the bolt with the largest axial force.
+/// \throws CannotDraw if the run has no bolts, or none at the requested time.
 Figure paintBolt(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

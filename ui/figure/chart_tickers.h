@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// At most `most` ticks at round numbers, which are written with a true minus sign.
+/// At most `most` ticks at round numbers. Negative numbers have a true minus sign.
 class RoundTicker : public QCPAxisTicker {
 public:
     explicit RoundTicker(int most) : most_(most) {}

@@ -25,7 +25,7 @@ struct ColumnItem {
 
 inline constexpr double itemGap = 4.2;  // vertical gap between two items [mm]
 
-/// Draws an arrow that starts at `at`, or a bar centred there. \param length direction and length on paper [mm], y
+/// Draws an arrow that starts at `at`, or a bar centred at `at`. \param length direction and length on paper [mm], y
 /// downwards.
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
 

@@ -20,7 +20,7 @@ public:
     /// Draws a line centred at `at` [mm, y downwards] in the direction of `force` [display unit], clipped to `frame`.
     void draw(Ink& ink, ContactKind kind, const Point& at, const Point& force, const Box& frame) const;
 
-    /// Length and width on paper of the line that represents a force [mm].
+    /// Length and width [mm] on paper of the line that represents a force.
     double lengthOf(double force) const;
     double widthOf(double force) const;
 
@@ -29,8 +29,9 @@ private:
     double length_;
 };
 
-/// The legend of contact forces for a column of `width` [mm]. \param length length of the longest line [mm]. \pre the
-/// field outlives the item.
+/// Creates the legend of contact forces for a column of width `width` [mm].
+/// \param length length of the longest line [mm].
+/// \pre the field outlives the item.
 ColumnItem contactItem(const ContactField& field, double length, double width);
 
 }  // namespace keyblock

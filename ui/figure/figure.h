@@ -25,7 +25,7 @@ namespace keyblock {
 enum class FigureKind { Section, Bolt, Curves, Events };
 enum class PaperFormat { Svg, Pdf, Png };
 
-/// Word used instead of a quantity for a section with uncoloured blocks and bolts.
+/// Word used instead of the name of a quantity to request a section with uncoloured blocks and bolts.
 inline constexpr std::string_view plainWord = "plain";
 
 struct FigureRequest {
@@ -50,7 +50,7 @@ struct CannotDraw : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A table with the data shown in the figure.
+/// A table of the data shown in the figure.
 struct FigureData {
     std::string suffix;  // of the file name, before `.csv`
     std::function<void(std::ostream&)> write;
@@ -62,7 +62,7 @@ struct Figure {
     std::vector<Problem> warnings{};  // parts of the request that the figure does not show
 };
 
-/// Draws a figure. The same run and request give the same bytes. \throws CannotDraw
+/// Draws a figure. The same run and request always give the same bytes. \throws CannotDraw
 Figure paintFigure(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

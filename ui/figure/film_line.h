@@ -19,10 +19,11 @@ inline constexpr double filmLineHeight = 9.0;  // [mm]
 
 class FilmLine {
 public:
-    /// \param frames frames of the run that are shown, in order. \param events events as numbered in the last frame.
+    /// \param frames frames of the run that are shown, in order. \param events events with their numbers in the last
+    /// frame.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// Draws the line for one image, `width` [mm] wide and with its upper left corner at `at`.
+    /// Draws the line below one image: `width` [mm] wide, with its upper left corner at `at`.
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:

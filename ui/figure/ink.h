@@ -70,15 +70,15 @@ private:
     QPainter& painter_;
 };
 
-/// Width of a text [mm].
+/// Width of the text [mm].
 double textWidth(const std::string& text, const TextStyle& style);
 
-/// The text, shortened with an ellipsis if it is longer than `width` [mm]. \param middle true: shorten it in the
-/// middle, for names that differ only at their ends.
+/// The text, shortened with an ellipsis if it is wider than `width` [mm].
+/// \param middle true: the middle of the text is left out, for names that differ only at their ends.
 std::string elided(const std::string& text, const TextStyle& style, double width, bool middle = false);
 
-/// The text in lines of at most `width` [mm]; if it needs more than `most` lines, the last one is shortened with an
-/// ellipsis.
+/// The text broken into lines of at most `width` [mm]. If it needs more than `most` lines, the last one is shortened
+/// with an ellipsis.
 std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double width, std::size_t most);
 
 /// The font of a style, with its size in drawing units of the paper.

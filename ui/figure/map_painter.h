@@ -16,8 +16,8 @@ namespace keyblock {
 
 class MapPainter {
 public:
-    /// Prepares to draw the section in `frame` [mm]; the window of the picture is extended to the aspect ratio of the
-    /// frame.
+    /// Prepares to draw the section in `frame` [mm]. The visible part of the section is extended to the aspect ratio of
+    /// the frame.
     MapPainter(const SectionPicture& picture, const Box& frame);
 
     /// The kinds of marks that will be drawn, each once, in the order of the key.

@@ -17,7 +17,7 @@ namespace keyblock {
 void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false,
               const MarkTheme& theme = paperMarks);
 
-/// Name of a kind of mark in the key of a figure.
+/// The name that the key of a figure uses for a kind of mark.
 std::string nameOf(MarkKind kind);
 
 /// Draws the number of an event in a circle of the given radius [mm].

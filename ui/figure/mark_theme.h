@@ -17,7 +17,8 @@ struct MarkColours {
     Colour error = paper_theme::error, yielded = paper_theme::yielded;
 };
 
-/// Sizes in drawing units (mm or px). The size `small` of a pair is used for bolts with many marks.
+/// Sizes of marks in drawing units (mm or px). A pair consists of the usual size and a small size for bolts with many
+/// marks.
 struct MarkSizes {
     struct Pair {
         double usual, small;

@@ -29,12 +29,13 @@ public:
     Paper& operator=(const Paper&) = delete;
 
     QCPPainter& painter() { return *painter_; }
-    /// The image of a PNG; null for the other formats.
+    /// The image, if the format is PNG; null for the other formats.
     const QImage& image() const { return image_; }
     double width() const { return width_; }
     double height() const { return height_; }
 
-    /// Completes the file and returns its bytes, which are the same each time the program is run. Call only once.
+    /// Completes the file and returns its contents, which are the same bytes in every run of the program. Call this
+    /// only once.
     /// \throws CannotDraw if there is not enough memory.
     std::string finish();
 

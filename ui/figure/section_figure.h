@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The section request for a figure request. \throws CannotDraw if the quantity is unknown.
+/// Converts a figure request to a section request. \throws CannotDraw if the quantity is unknown.
 SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& request);
 
 /// Draws the section. \throws CannotDraw if the quantity is unknown.

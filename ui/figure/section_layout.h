@@ -18,7 +18,7 @@ namespace keyblock {
 class SectionLayout {
 public:
     /// \param width width of the sheet [mm]. \param top upper edge of the content [mm]. \param inner width between the
-    /// margins [mm]. \param kinds marks in the key; null: those that are drawn.
+    /// margins [mm]. \param kinds kinds of marks in the key; null: the kinds that are drawn.
     SectionLayout(const SectionPicture& picture, const Scene& scene, double width, double top, double inner,
                   std::optional<std::vector<MarkKind>> kinds = {});
 
@@ -26,8 +26,8 @@ public:
     double height() const { return height_; }  // total height [mm]
     const std::vector<MarkKind>& kinds() const { return kinds_; }
 
-    /// Draws the section and its legends. The picture may differ from that given at construction if its legends need no
-    /// more space.
+    /// Draws the section and its legends. `picture` need not be the picture given to the constructor, but its legends
+    /// must not need more space.
     void draw(Ink& ink, const SectionPicture& picture, const Scene& scene) const;
 
 private:

@@ -15,8 +15,9 @@ namespace keyblock {
 
 class Sheet {
 public:
-    /// A sheet of `width` [mm]; long texts are wrapped and then shortened with an ellipsis. \param warnings the result
-    /// of `warningsOf`.
+    /// A sheet of width `width` [mm]. Long texts are wrapped; if they are still too long, they are shortened with an
+    /// ellipsis.
+    /// \param warnings the result of `warningsOf`.
     Sheet(double width, const std::string& title, const std::string& subtitle, const std::vector<std::string>& warnings);
 
     double width() const { return width_; }
@@ -31,7 +32,7 @@ private:
     std::vector<std::string> title_, subtitle_, warnings_;
 };
 
-/// The warnings (`stageWarnings`) of the stage of a frame, or of all stages for a figure of the whole run.
+/// The warnings (from `stageWarnings`) about the stage of a frame, or about all stages for a figure of the whole run.
 std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
 
 /// Text of the footer: "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm".

@@ -22,7 +22,7 @@ enum class ArrowKind { StressCrosses, Displacements, Velocities };
 /// word.
 std::optional<ArrowKind> arrowKindOf(std::string_view word);
 
-/// The words accepted by `arrowKindOf`, in the order of `ArrowKind`.
+/// The words that `arrowKindOf` accepts, in the order of `ArrowKind`.
 std::span<const std::string_view> arrowWords();
 
 enum class ArrowShape { Arrow, Compression, Tension };
@@ -41,7 +41,7 @@ struct ArrowField {
     double largest = 0.0;  // largest magnitude, in the display unit
 };
 
-/// Length on paper [mm] that represents one display unit of the field; 0 if all vectors are zero.
+/// Length on paper [mm] per display unit of the field; 0 if all vectors are zero.
 double arrowScale(const ArrowField& field);
 
 /// Arrows or crosses for all blocks of a frame.

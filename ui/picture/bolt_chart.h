@@ -17,7 +17,8 @@
 
 namespace keyblock {
 
-/// Minimum and maximum of a quantity along the bolt over all frames up to the one shown; both include zero.
+/// Minimum and maximum of a quantity along the bolt over all frames up to the displayed frame. The minimum is at most
+/// zero, and the maximum at least zero.
 struct Envelope {
     std::string quantity;  // column of the quantity in exported tables
     std::vector<double> s, low, high;  // distance from the far end [m]; values in SI units
@@ -31,8 +32,8 @@ struct BoltChart {
     std::vector<Envelope> envelopes;  // one for each panel with an envelope
 };
 
-/// Largest and smallest values along a bolt over the frames added. They determine which panels are shown and the axis
-/// ranges, so that these stay the same from frame to frame.
+/// Largest and smallest values along a bolt in all frames added. They determine which panels are shown and the ranges
+/// of the axes, so that panels and axes stay the same from frame to frame.
 class BoltReach {
 public:
     explicit BoltReach(int bolt) : bolt_(bolt) {}
@@ -53,11 +54,12 @@ private:
     double largestForce_ = 0.0;
 };
 
-/// Diagram of the bolt of `reach` at one frame. The axis ranges cover `reach` and this frame; envelopes are left out,
-/// and no other frame is read. \pre the frame contains the bolt.
+/// Diagram, at one frame, of the bolt to which `reach` refers. The axis ranges cover `reach` and this frame. Envelopes
+/// are left out, and no other frame is read.
+/// \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach);
 
-/// Diagram of a bolt at one frame with envelopes; reads all frames up to this one. \pre the frame contains the bolt.
+/// Diagram of a bolt at one frame, with envelopes. Reads all frames up to this one. \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);
 
 /// Row of the bolt with the largest axial force in the run up to the frame; −1 if there is none.

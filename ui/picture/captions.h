@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// Title with the stage and time of a frame, such as "Drift with D-bolts, stage release at 0.212 s"; a static stage
-/// shows its pseudo-time.
+/// Title that includes the stage and time of a frame, such as "Drift with D-bolts, stage release at 0.212 s"; for a
+/// static stage, the time is its pseudo-time.
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame);
 
 /// A time within a stage: "0.212 s" for a dynamic stage, the pseudo-time "0.21" for a static one.
@@ -20,7 +20,7 @@ std::string timeText(const Scene& scene, int stage, double time);
 /// Like `timeText`, but in milliseconds below a tenth of a second: "3.95 ms".
 std::string shortTimeText(const Scene& scene, int stage, double time);
 
-/// One line that lists rock, joints and bolts, and the scale factor of displacements.
+/// A list of rock, joints and bolts and the scale factor of displacements, on one line.
 std::string subtitleOf(const Scene& scene, double factor);
 
 /// Type of analysis, and the integration scheme if a stage is dynamic: "plane strain · backward Euler scheme".

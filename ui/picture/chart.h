@@ -65,7 +65,7 @@ struct ChartZone {
     double from = 0.0, to = 0.0;
 };
 
-/// Interval of a stage on a time axis.
+/// Interval that a stage takes up on a time axis.
 struct StageSpan {
     int stage = 0;
     std::string name;
@@ -109,12 +109,12 @@ struct StageMoment {
 /// empty.
 StageMoment momentAt(const std::vector<StageSpan>& stages, double place);
 
-/// Sets the panel's range so that it includes zero, its curves, the values to date, and limits up to 1.5 times the
-/// largest of these; higher limits are removed. A panel that contains only zeros gets the range 0 … 1.
+/// Sets the range of the panel. It includes zero, the curves, the values to date, and every limit up to 1.5 times the
+/// largest of these values; higher limits are removed. A panel that contains only zeros gets the range 0 … 1.
 void fitRange(ChartPanel& panel);
 
-/// The curve reduced to about `most` points. Of each run of consecutive points the first, last, smallest and largest
-/// are kept, so that peaks are preserved.
+/// The curve reduced to about `most` points. The points are divided into groups of consecutive points, and the first,
+/// last, lowest and highest point of each group are kept, so that peaks are preserved.
 ChartCurve thinned(const ChartCurve& curve, std::size_t most);
 
 }  // namespace keyblock

@@ -38,11 +38,11 @@ inline constexpr ColourMap slateDark{rgb(0x1F2631), rgb(0x263647), rgb(0x2C475C)
 inline constexpr ColourMap emberDark{rgb(0x7C2440), rgb(0x9B2E3E), rgb(0xB73D35), rgb(0xCE5328), rgb(0xE06F1D),
                                      rgb(0xEA8D2B), rgb(0xEFAC4E), rgb(0xF2CA79), rgb(0xF5E5A8)};
 
-/// The version of a map for dark backgrounds; Tide is the same on both.
+/// The version of a map for dark backgrounds. The map Tide is the same on both backgrounds.
 const ColourMap& darkOf(const ColourMap& map);
 
-/// The colour at the fraction `share` of the range, interpolated linearly between the stops. Outside 0 … 1 the end
-/// colours are used.
+/// The colour at the fraction `share` of the range, interpolated linearly between the colours of the map. Fractions
+/// below 0 or above 1 give the colour of the nearest end.
 Colour colourAt(const ColourMap& map, double share);
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// Word with which the user selects the display of contact forces.
+/// Word that requests the display of contact forces.
 inline constexpr std::string_view contactWord = "contact-forces";
 
 /// State of a contact that carries a force; open contacts carry none and have no line. `Pulled` is a bonded contact in
@@ -46,24 +46,24 @@ struct ContactField {
     std::vector<std::string> notes;
 };
 
-/// The line of a contact, placed at the current position of the contact.
+/// The line for a contact, at the current position of the contact.
 ContactLine contactLine(const ContactFrame& contact);
 
 /// Updates the scale, except `longest` and `spacing`, with the contact forces of a frame.
-/// \param sizes the magnitudes of these forces are appended to it.
+/// \param sizes list to which the magnitudes of these forces are appended.
 void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes);
 
-/// Value of `ContactScale::longest` for forces of these magnitudes: the smallest magnitude such that all larger forces
-/// together make up at most 2 % of the sum of all forces, rounded up to a round number; 0 if there are no forces.
+/// Value of `ContactScale::longest` for forces with these magnitudes; 0 if there are no forces. It is the smallest
+/// magnitude such that all larger forces add up to at most 2 % of the sum of all forces, rounded up to a round number.
 double longestOf(std::vector<double> sizes);
 
 // Lengths and widths on paper [mm].
 
-/// Length of the longest line if the average width of a block on paper is `block`. It has a lower and an upper bound,
-/// so that a line is longer than a dot and shorter than half the figure.
+/// Length of the longest line if the average width of a block on paper is `block`. It has a lower and an upper limit,
+/// so that the line is longer than a dot and shorter than half the figure.
 double longestContactLine(double block);
 
-/// Length and width of the line for a force, where `longest` is the length of the longest line.
+/// Length and width of the line for a force. \param longest length of the longest line.
 double contactLength(const ContactScale& scale, double force, double longest);
 double contactWidth(const ContactScale& scale, double force, double longest);
 

@@ -28,7 +28,7 @@ bool isArtificial(MarkKind kind);
 /// Unit vector from the first node to the last; the x direction if they coincide.
 Point alongOf(const std::vector<Point>& nodes);
 
-/// True if the ends of two bolts coincide within `apart` [m], so that the bolts cannot be drawn separately.
+/// True if the ends of two bolts are within `apart` [m] of each other, so that the bolts cannot be drawn separately.
 bool coincide(const BoltShape& a, const BoltShape& b, double apart);
 
 /// Distance from the head of each bolt to the nearest other bolt, in drawing units; a very large number if there is no
@@ -39,7 +39,8 @@ std::vector<double> boltSpacing(const SectionPicture& picture, double scale, con
 /// `apart` [m] are ignored. \param shape index of the bolt in the picture.
 double middleSpacing(const SectionPicture& picture, std::size_t shape, double apart);
 
-/// The marks of a bolt that are drawn, the most important last. \param spacing value of `boltSpacing` for this bolt.
+/// The marks that are drawn on a bolt, with the most important ones last. \param spacing value from `boltSpacing` for
+/// this bolt.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes);
 
 /// Order of the marks in the key of a figure.
@@ -50,8 +51,8 @@ inline constexpr std::array keyOrder{MarkKind::Bonded,   MarkKind::Artificial, M
 /// The kinds that occur among the marks of all bolts, each once, in the order of the key.
 std::vector<MarkKind> kindsOf(const std::vector<std::vector<Mark>>& marks);
 
-/// Blocks whose displacement is large enough for their initial outline to be drawn too. Empty if there are more than
-/// three such blocks and they are more than a tenth of all blocks.
+/// Blocks that have moved far enough for their initial outline to be drawn too. Empty if there are more than three such
+/// blocks and they make up more than a tenth of all blocks.
 std::vector<const BlockShape*> movedBlocks(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
 }  // namespace keyblock

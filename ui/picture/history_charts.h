@@ -23,8 +23,8 @@ struct HistoryCharts {
     std::vector<Problem> references;  // columns that no panel shows; an error if a table has no others
 };
 
-/// Charts of the requested series, or of the whole run if none is requested. A panel shows at most four curves; further
-/// curves are shown in another panel below.
+/// Charts of the requested series or, if none is requested, of the whole run. A panel shows at most four curves;
+/// further curves are shown in additional panels below.
 /// \param asked name of a monitor, NAME.ux, NAME.uy, any other name from `allSeries`, or `Y over X`.
 /// \param references measured or published curves, which are added to the matching panels.
 HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked,

@@ -22,14 +22,14 @@ struct Series {
     const FrameQuantity<Energy>* energy = nullptr;  // if not null, values are taken from the frames instead of a column
 };
 
-/// Series of all monitors of the scene: NAME, or NAME.ux and NAME.uy for a monitored point.
+/// Series of all monitors of the scene. Their names are NAME or, for a monitored point, NAME.ux and NAME.uy.
 std::vector<Series> monitorSeries(const Scene& scene);
 
-/// All series of a run: those of the monitors, then BOLT.QUANTITY for every bolt, then energy.NAME.
+/// All series of a run: first the monitors, then BOLT.QUANTITY for every bolt, then energy.NAME.
 std::vector<Series> allSeries(const RunSource& run);
 
-/// Values at each row of the history or, if frames are given, at each frame. The value at a frame is that of the last
-/// row not later than the frame, or NaN if there is none; energies are those of the frame itself.
+/// Values at each row of the history or, if frames are given, at each frame. The value at a frame is taken from the
+/// last history row not later than the frame (NaN if there is none); energies are taken from the frame itself.
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows);
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows,
                              const std::vector<FrameHead>& frames);

@@ -35,20 +35,20 @@ struct LegendBar {
 
     /// Colour of a value, on a light or a dark background.
     Colour colourOf(double shown, bool dark = false) const;
-    /// Colours along the bar, each with its fraction of the range. A colour step is given by two colours at the same
-    /// fraction.
+    /// Colours along the bar, each with its position as a fraction of the range. At a colour step, two colours have the
+    /// same position.
     std::vector<std::pair<double, Colour>> stops(bool dark) const;
-    /// True if a bolt element with this value is drawn dashed.
+    /// True if a bolt element with this value is drawn as a dashed line.
     bool isDashed(double shown) const;
-    /// True if the user's choice excludes extreme values from the range.
+    /// True if the range excludes extreme values, as chosen by the user.
     bool clips() const { return scale.clips && scale.of != ScaleOf::Own && (goesBelow || goesAbove); }
     /// The colour map for a light or a dark background.
     const ColourMap& mapOn(bool dark) const { return dark ? darkOf(*map) : *map; }
-    /// Position of a value in the range, as a fraction: 0 at the lower end, 1 at the upper end.
+    /// Position of a value in the range as a fraction: 0 at the lower end, 1 at the upper end.
     double shareOf(double shown) const { return (shown - range.low) / (range.high - range.low); }
 };
 
-/// Legends of the blocks and bolts of a section; null for a quantity without values in any frame.
+/// Legends for the blocks and bolts of a section; null if the quantity has no values in any frame.
 struct SectionLegends {
     std::optional<LegendBar> blocks, bolts;
     std::optional<ContactScale> contacts;

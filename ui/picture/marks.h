@@ -31,8 +31,8 @@ struct Mark {
 std::vector<Mark> marksOf(const Bolt& bolt, int index, const BoltFrame& frame, const std::vector<Point>& nodes,
                           std::span<const Event> events);
 
-/// The marks thinned out so that they are at least `least` [m] apart; bonded and intermediate nodes are dropped first.
-/// Marks of failures are dropped only if a mark of the same kind is closer than 0.6 times this distance.
+/// The marks thinned out to a distance of at least `least` [m]; bonded and intermediate nodes are dropped first. A mark
+/// of a failure is dropped only if a mark of the same kind is closer than 0.6 times `least`.
 std::vector<Mark> thinned(std::vector<Mark> marks, double least);
 
 }  // namespace keyblock

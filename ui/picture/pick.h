@@ -27,8 +27,8 @@ class PickIndex {
 public:
     explicit PickIndex(std::shared_ptr<const SectionPicture> picture);
 
-    /// The node within `reach` [m], else the bolt within `reach`, else the block that contains the point. Among
-    /// overlapping blocks, the one drawn last is found.
+    /// The node within `reach` [m]; if there is none, the bolt within `reach`; otherwise the block that contains the
+    /// point. If blocks overlap, the one drawn last is returned.
     std::optional<Pick> at(const Point& place, double reach) const;
 
 private:

@@ -33,7 +33,7 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
-/// A pin on the picked object at `place` [m, as drawn].
+/// Creates a pin on the picked object at `place` [m, as drawn].
 /// \param ofBlock quantity read at a pin on a block. \param ofBolt quantity read at a pin on a bolt.
 /// \pre the quantity for the kind of the picked object is given.
 Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, const FrameQuantity<BlockState>* ofBlock,
@@ -46,13 +46,13 @@ std::optional<Point> placeOf(const Pin& pin, const SectionPicture& picture);
 /// `cornersBefore`. \pre the pin is on a block.
 Point placeBefore(const Pin& pin, const std::vector<std::vector<Point>>& before);
 
-/// Value of a pin in each frame. Displacements are those of the pinned point, not of the block's centroid.
+/// Value of a pin in each frame. Displacements refer to the pinned point, not to the block's centroid.
 class PinTrack {
 public:
     explicit PinTrack(Pin pin) : pin_(std::move(pin)) {}
 
     const Pin& pin() const { return pin_; }
-    /// \pre frames are added in chronological order.
+    /// Appends the value of the pin in this frame. \pre frames are added in chronological order.
     void add(const Frame& frame);
     std::size_t frames() const { return values_.size(); }
     /// One value per frame in the display unit; NaN if the block or bolt did not exist.
@@ -70,7 +70,7 @@ private:
 /// Charts of the pinned values over time, with one panel per quantity and at most four curves each.
 std::vector<Chart> pinCharts(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
-/// Name of a pin, such as "1 Block 143", and title of its quantity with the unit.
+/// `nameOf`: name of a pin, such as "1 Block 143". `titleOf`: title of the pinned quantity, with the unit.
 std::string nameOf(const Pin& pin);
 std::string titleOf(const Pin& pin);
 

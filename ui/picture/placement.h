@@ -19,7 +19,7 @@ public:
     explicit Placement(const Box& frame, double perMm = 1.0) : frame_(frame), perMm_(perMm) {}
 
     void keepOff(const Box& box) { boxes_.push_back(box); }
-    /// Keeps labels and leaders off a line. \param half half of its width.
+    /// Keeps labels and leaders off a line. \param half half the width of the line.
     void keepOff(const Point& a, const Point& b, double half) { lines_.push_back({a, b, half, false}); }
     /// Keeps labels off a line that leaders may cross, such as a wall or an outline.
     void keepLabelsOff(const Point& a, const Point& b) { lines_.push_back({a, b, 0.2 * perMm_, true}); }
@@ -31,8 +31,8 @@ public:
     std::optional<Box> place(const Point& size, const std::vector<Point>& centres);
 
     /// Places a box around the point `at`, at increasing distances and starting in the direction `first`; null if it
-    /// fits nowhere nearby. The leader from the box to the point crosses nothing placed by `keepOff`, except near the
-    /// point.
+    /// fits nowhere nearby. The leader from the box to the point crosses no box or line given to `keepOff`, except near
+    /// the point.
     std::optional<Box> placeRound(const Point& size, const Point& at, const Point& first);
 
 private:

@@ -18,8 +18,9 @@ struct ProbeReading {
 };
 
 /// Values of the picked object in the displayed frame, with the units and sign conventions of the section. For a block,
-/// the peak to date is added if it clearly exceeds the current value.
-/// \param blocksFirst quantity listed first for a block; null: none. \param boltsFirst likewise for a bolt.
+/// the peak value to date is added if it clearly exceeds the current value.
+/// \param blocksFirst quantity listed first for a block; null: none.
+/// \param boltsFirst quantity listed first for a bolt; null: none.
 ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pick& pick,
                     const FrameQuantity<BlockState>* blocksFirst, const FrameQuantity<BoltNodeFrame>* boltsFirst);
 

@@ -22,7 +22,7 @@ public:
     /// in order.
     ReferencePlacer(const std::vector<ReferenceTable>& tables, const RunTime& time, std::vector<std::string> stages);
 
-    /// Adds the reference curves whose abscissa and ordinate the chart shows, and extends the horizontal axis to
+    /// Adds the reference curves that match the abscissa and ordinate of the chart, and extends the horizontal axis to
     /// include them.
     void place(Chart& chart);
 

@@ -19,7 +19,7 @@ class RunTime {
 public:
     explicit RunTime(const RunSource& run);
 
-    /// Stages that were started, in order, each up to the latest time it has reached.
+    /// Stages that have started, in order. Each interval extends to the latest time that the stage has reached.
     const std::vector<StageSpan>& stages() const { return stages_; }
     double end() const { return stages_.empty() ? 0.0 : stages_.back().to; }
 

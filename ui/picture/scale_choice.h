@@ -25,7 +25,7 @@ struct ScaleChoice {
     bool operator==(const ScaleChoice&) const = default;
 };
 
-/// Choices by name of the quantity.
+/// Choices of the user, by the name of the quantity.
 using ScaleChoices = std::map<std::string, ScaleChoice, std::less<>>;
 
 /// The choice for a quantity; the default if the user has made none.

@@ -16,12 +16,12 @@ namespace keyblock {
 
 class SectionFilm {
 public:
-    /// Prepares sections of these frames of the run, in this order; reads all frames of the run. \pre `frames` is not
-    /// empty.
+    /// Prepares the sections at these frames of the run, in this order. Reads all frames of the run.
+    /// \pre `frames` is not empty.
     SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames);
 
     std::size_t size() const { return frames_.size(); }
-    /// Index of the run's frame that the section with index `picture` shows.
+    /// Index, within the run, of the frame that the section with index `picture` shows.
     std::size_t frame(std::size_t picture) const { return frames_[picture]; }
     SectionPicture picture(std::size_t index) const;
 

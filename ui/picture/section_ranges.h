@@ -21,8 +21,9 @@ public:
     /// are kept.
     void dropEverySecond();
 
-    /// Legends for all frames added so far. \param scales colour ranges chosen by the user; a range of a single frame
-    /// or one typed by the user is applied later, by `withNow`.
+    /// Legends for all frames added so far.
+    /// \param scales colour ranges chosen by the user. A range that covers a single frame or was typed by the user is
+    /// applied later, by `withNow`.
     SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:
@@ -47,11 +48,11 @@ private:
 /// Legends for a request; reads all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The legends completed for one frame: with a note on the values in this frame, if it has any, and with the colour
-/// ranges chosen in the request.
+/// The legends completed for one frame: the colour ranges chosen in the request are applied, and a note on the values
+/// in this frame is added, if there are any.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
-/// Yield and ultimate force of a bolt's steel with their names, in the display unit of the quantity; none for
+/// Yield force and ultimate force of a bolt's steel with their names, in the display unit of the quantity; empty for
 /// quantities other than the axial force.
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity);

@@ -21,7 +21,7 @@ inline constexpr std::array<CurveStyle, mostCurves> curveStyles{CurveStyle::Main
 /// True if an event concerns a bolt and is important enough to be marked on charts.
 bool isOfBolts(const Event& event);
 
-/// A chart without panels, with the time axis of the run, its stages and the events of bolts.
+/// A chart without panels, with the time axis of the run, its stages and the bolt events.
 Chart chartOverTime(const RunTime& time, const std::vector<Event>& events);
 
 /// Adds a curve to a panel, split into pieces at missing (non-finite) values. Only the last piece carries the name.

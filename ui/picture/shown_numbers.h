@@ -28,16 +28,18 @@ struct ShownAs {
     double factor = 1.0;
 };
 
-/// Display of a quantity with the given engineering unit (`MPa`, `kN per bolt`) and sign convention.
+/// How a quantity with the given engineering unit (`MPa`, `kN per bolt`) and sign convention is displayed.
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers);
 
-/// The value, or 0 if its magnitude is at the level of round-off for the unit (an engineering or an SI base unit).
+/// The value, or 0 if its magnitude is within the round-off of values in this unit (an engineering unit or an SI base
+/// unit).
 double withoutRoundOff(double value, std::string_view unit);
 
-/// Factor for the unit at the end of a title, such as `Axial force (kN)`; 1 if the unit does not change.
+/// Conversion factor for the unit at the end of a title, such as `Axial force (kN)`; 1 if the displayed unit is the
+/// same.
 double factorOf(std::string title, const ShownNumbers& numbers);
 
-/// A title with its units converted: `Axial force (kN) over joint opening (mm)` becomes `… (N) over … (m)`.
+/// Converts the units in a title, e.g. from `Axial force (kN) against joint opening (mm)` to `… (N) against … (m)`.
 std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 
 std::string forceText(double force, const ShownNumbers& numbers);  // force [N] with its unit: `119 kN`

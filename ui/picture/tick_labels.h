@@ -24,7 +24,8 @@ struct TickRoom {
     std::function<double(const std::string&)> widthOf;
 };
 
-/// All ticks if their labels fit, else every second, every third, and so on. The tick at zero is always included.
+/// All ticks if there is room for their labels, otherwise every second, every third, and so on. The tick at zero is
+/// always included.
 std::vector<TickLabel> tickLabels(const LegendBar& bar, const TickRoom& room);
 
 }  // namespace keyblock

@@ -21,7 +21,8 @@ struct ValueRange {
 /// The smallest number not below `least` that is 1, 2, 2.5 or 5 times a power of ten. \pre least > 0
 double roundStep(double least);
 
-/// The smallest number not below `least` that is 1, 2 or 5 times a power of ten. \pre least > 0
+/// The smallest number not below `least` that is 1, 2 or 5 times a power of ten, so that half of it is also a round
+/// number. \pre least > 0
 double roundHalvable(double least);
 
 /// Round values at equal intervals within a range.
@@ -33,14 +34,14 @@ struct Ticks {
 /// At most `most` ticks within the range. \pre low < high, most ≥ 2
 Ticks roundTicks(const ValueRange& range, int most);
 
-/// The range extended to round numbers at both ends, such that it contains at most `most` ticks. A range with only
-/// zeros becomes 0 … 1; any other single value is extended to include zero.
+/// The range extended to round numbers at both ends, such that at most `most` ticks lie within it. The range 0 … 0
+/// becomes 0 … 1; any other range of zero width is first extended to include zero.
 ValueRange roundedRange(const ValueRange& range, int most);
 
 /// A rounded range that is symmetric about zero and contains `range`.
 ValueRange roundedSymmetric(const ValueRange& range, int most);
 
-/// A value with its weight, such as the area of the block it belongs to.
+/// A value with its weight, such as the area of the block to which it belongs.
 struct Weighed {
     double value = 0.0;
     double weight = 1.0;

@@ -17,7 +17,7 @@ class BlockChoice : public QObject {
     Q_OBJECT
 
 public:
-    /// Selecting a bolt deselects the block.
+    /// Selecting a bolt in `bolts` deselects the block.
     BlockChoice(const TimeCursor& cursor, BoltChoice& bolts, QObject* parent = nullptr);
 
     /// Index among the solved blocks of the run shown; −1: none.

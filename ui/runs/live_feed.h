@@ -27,10 +27,10 @@ struct HealthSample {
     StepHealth worst;
 };
 
-/// Combines two consecutive samples into one. If the stage changes between them, the result is `second`.
+/// Combines two consecutive samples into one. If they belong to different stages, the result is `second`.
 HealthSample joined(const HealthSample& first, const HealthSample& second);
 
-/// The state after a step.
+/// The state of the model after a step.
 struct ShownFrame {
     std::shared_ptr<const Frame> frame;
     std::optional<std::size_t> stored;  // index among the stored frames; none: the state is not stored

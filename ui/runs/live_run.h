@@ -24,13 +24,13 @@ namespace keyblock {
 
 class LiveRun : public RunSource {
 public:
-    /// A new run whose results are written to this store.
+    /// Creates a new run whose results are written to this store.
     LiveRun(std::filesystem::path store, const LiveStart& start);
 
     /// Reads a run from a store; its frames are read later, one by one. \throws CannotRead
     static std::shared_ptr<LiveRun> opened(const std::filesystem::path& store);
 
-    /// Appends a batch of data. A batch with a `start` needs a new `LiveRun`.
+    /// Appends a batch of data that belongs to this run. A batch whose `start` is set belongs to a new `LiveRun`.
     void append(LiveBatch batch);
 
     const Scene& scene() const override { return *scene_; }
@@ -46,10 +46,11 @@ public:
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
     const HistoryLog& historyRows() const { return history_; }
-    /// Snapshot of the events; it does not grow.
+    /// Snapshot of the events. Later events are not added to it.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 
-    /// The latest state, stored or not; its frame is null before the first state and for a run opened from a file.
+    /// The latest state, whether it is stored or not. Its frame is null before the first state and for a run opened
+    /// from a file.
     const ShownFrame& newest() const { return newest_; }
 
     /// Solver diagnostics of the steps, at most a few hundred samples; empty for a run opened from a file.
@@ -111,7 +112,7 @@ private:
     std::shared_ptr<const Frame> frame_;  // null: not loaded yet
 };
 
-/// Snapshot of a whole run so far, from which any thread can draw curves.
+/// Snapshot of all results of a run so far, from which any thread can draw curves.
 class RunSoFar : public RunSource {
 public:
     explicit RunSoFar(std::shared_ptr<const LiveRun> run);

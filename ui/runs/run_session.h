@@ -25,7 +25,7 @@ namespace keyblock {
 
 class LiveRun;
 
-/// What to run, and the store to which the run writes.
+/// The scene to run, and the store to which the run writes.
 struct RunOrder {
     std::shared_ptr<const Scene> scene;  // the scene as in its file, not cut
     std::shared_ptr<const SceneCut> cut;  // the cut scene, if it is known already

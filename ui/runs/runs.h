@@ -52,7 +52,7 @@ public:
     /// Number of threads for new runs; 0: one per processor.
     void setThreads(int threads) { threads_ = threads; }
 
-    /// Why the document cannot be run; empty if it can.
+    /// The reason why the document cannot be run; empty if it can.
     QString nothingToRun() const;
     /// Starts a run of the document. If a run is in progress, reports an error instead.
     void start();
@@ -74,7 +74,7 @@ public:
     /// Path of the store of the run shown; empty if no run is shown.
     QString shown() const;
 
-    /// A notice such as "Run 12 used an earlier version of the scene"; empty if the run shown used the current scene.
+    /// A notice such as "Run 12 used an earlier version of the scene"; empty if the run shown used the current version.
     QString staleness() const;
 
     /// Stops the run in progress, if any, and waits for its end; results so far are kept.

@@ -35,7 +35,7 @@ public:
     bool showsResults() const;
 
     /// Sets a second run with which this run shares its colour ranges; null: no second run. Exactly one of the two runs
-    /// leads: its scene determines the steel limits and the round-off threshold of both.
+    /// must have `leads` set: the steel limits and the round-off threshold of its scene apply to both runs.
     void shareRanges(std::shared_ptr<const LiveRun> other, bool leads);
 
     /// The latest drawing of results; null before the first.

@@ -26,7 +26,7 @@ public:
 
     const std::vector<Span>& spans() const { return spans_; }
     bool isEmpty() const { return spans_.empty(); }
-    /// Position of a time within a stage; the end of the axis if the stage does not exist.
+    /// Axis position of a time within a stage; the end of the axis if the stage does not exist.
     double at(int stage, double time) const;
 
     struct Moment {

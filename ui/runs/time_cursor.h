@@ -37,12 +37,12 @@ public:
     explicit TimeCursor(QObject* parent = nullptr);
     ~TimeCursor() override;
 
-    /// Shows another run at its latest time; null: no run. \param goesOn true if the run is in progress; it is then
-    /// followed.
+    /// Shows another run at its latest time; null: no run.
+    /// \param goesOn true if the run is in progress; its latest time is then followed.
     void setRun(std::shared_ptr<LiveRun> run, bool goesOn);
-    /// Call after the run has grown. Moves to its latest time if the run is followed.
+    /// Call this when the run has new results. Moves to the latest time if the run is followed.
     void grown();
-    /// Call after the run has ended. Moves to its last frame if the run was followed.
+    /// Call this when the run has ended. Moves to the last frame if the run was followed.
     void ranOut();
 
     const std::shared_ptr<LiveRun>& run() const { return run_; }
@@ -52,7 +52,8 @@ public:
     bool hasMoment() const;
     /// Index of the stored frame shown; none if no frame is stored yet, or if the state shown is not stored.
     std::optional<std::size_t> frame() const;
-    /// Like `frame`, but gives the last stored frame if the state shown is not stored; none if no frame is stored yet.
+    /// Like `frame`, but returns the last stored frame if the state shown is not stored; none if no frame is stored
+    /// yet.
     std::optional<std::size_t> storedFrame() const;
     /// \pre `hasMoment()`.
     FrameHead head() const;
@@ -66,9 +67,9 @@ public:
     void step(int by);
     void home();
     void end();  // shows the last frame; if a run is in progress, follows it
-    /// Moves to the stored state just before the next event or, if there is none or it is already shown, to the first
-    /// frame that includes the event. Returns false if there is no such event. Hidden kinds are skipped, and minor
-    /// events too unless there are no others.
+    /// Moves towards the next event: to the stored state just before it or, if there is no such state or it is already
+    /// shown, to the first frame that includes the event. Hidden kinds of events are skipped; minor events are skipped
+    /// unless there are no others. Returns false if there is no further event.
     bool nextEvent();
     bool previousEvent();  // moves to the last such frame before the one shown
     bool hasNextEvent() const { return nextEventFrame().has_value(); }
@@ -86,7 +87,7 @@ public:
     bool loops() const { return loops_; }
     void setLoops(bool loops);
 
-    /// Stored frame with which the time shown (cursor A) is compared; none if cursor B is not set.
+    /// The stored frame that is compared with the time shown (cursor A); none if cursor B is not set.
     std::optional<std::size_t> cursorB() const { return b_; }
     void setCursorB(std::optional<std::size_t> frame);
 
@@ -105,7 +106,7 @@ Q_SIGNALS:
     void changed();  // playback, speed, loop, cursor B, bookmarks or hidden kinds
 
 private:
-    /// State of the run when it was last reported to have grown.
+    /// State of the run at the last signal that it has grown.
     struct Followed {
         int stage = -1;
         long step = -1;

@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// Lines of arrows and forces, with widths in device-independent pixels.
+/// Shapes of arrows and contact forces, with line widths in device-independent pixels.
 struct ForceShapes {
     LayerShapes rims;  // drawn below the lines, as outlines of those of sliding contacts
     LayerShapes lines;

@@ -47,7 +47,7 @@ public:
     void setWidth(double pixels) { width_ = pixels; }
     /// Sets the scale and size of the view in device pixels; call before rendering.
     void setView(double pixelsPerMetre, double width, double height);
-    /// Number of times that the connectivity has been rebuilt, for tests.
+    /// Number of times the connectivity has been rebuilt, for tests.
     int joinings() const { return joinings_; }
 
 private:

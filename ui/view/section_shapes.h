@@ -22,12 +22,12 @@ public:
     LayerShapes blocks(const ViewColours& colours, bool drawing) const;
     /// Outlines of all blocks.
     LayerShapes outlines() const;
-    /// Outlines of these blocks of the picture.
+    /// Outlines of the given blocks of the picture.
     LayerShapes outlines(const std::vector<const BlockShape*>& blocks) const;
     LayerShapes lines(const std::vector<LineShape>& lines) const;
     /// Lines along the unbroken parts of the bolts. \param colours null: without colours.
     LayerShapes shanks(const ViewColours* colours) const;
-    /// Lines along the whole length of these bolts (rows of the scene).
+    /// Lines along the whole length of the given bolts (rows of the scene).
     LayerShapes whole(const std::vector<int>& bolts) const;
 
 private:

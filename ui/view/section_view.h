@@ -35,7 +35,7 @@ public:
     /// \param picture the picture shown, or null.
     void look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture);
 
-    /// Number of times that the connectivity of the blocks has been rebuilt: once for successive frames of a run.
+    /// Number of times the connectivity of the blocks has been rebuilt: only once for successive frames of a run.
     int joinings() const;
 
 private:
