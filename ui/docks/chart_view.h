@@ -40,7 +40,8 @@ public:
     void setRoom(const ChartLayout& layout);
     const std::optional<Chart>& chart() const { return chart_; }
 
-    /// Redraws the chart if it has changed. For widgets that paint next to it and need its pixel positions.
+    /// Redraws the chart if it has changed. Call this before using the pixel positions of the chart to paint next to
+    /// it.
     void prepare();
     /// True if the chart has enough room and has been drawn, so that its pixel positions are known.
     bool isDrawn() const { return chart_ && !drawn_.isNull(); }

@@ -19,7 +19,7 @@ namespace keyblock {
 
 enum class CurveKind { All, Energies };
 
-/// A chart with one panel, and the complete first curve before it is thinned out for drawing.
+/// A chart with one panel, and all values of its first curve before it is thinned out for drawing.
 struct CurveEntry {
     QString name;
     Chart chart;
@@ -48,24 +48,25 @@ struct CurveReading {
     RunTime time;
 };
 
-/// Reads the curves; the time this takes grows with the number of history rows. Does not throw: `problem` of the
-/// entries holds the error message.
+/// Reads the curves. The time needed grows with the number of history rows. Does not throw: `problem` of the entries
+/// holds the error message.
 CurveReading readCurves(const CurveOrder& order);
 
 /// The charts of the run itself, without pins.
 CurveEntries curveEntries(const RunSource& run, CurveKind kind);
 
-/// Plots the quantity `y` of the run against `x`, both named as in `allSeries`; against time if `x` is empty.
+/// Plots the quantity `y` of the run against `x`, or against time if `x` is empty. Both names are as in `allSeries`.
 CurveEntries curveOver(const RunSource& run, const std::string& y, const std::string& x);
 
-/// Name of the first chart with the quantity of this pin; a chart shows at most four pins.
+/// Name of the first chart with the quantity of this pin. There can be several charts, because each shows at most four
+/// pins.
 QString pinEntryName(const Pin& pin);
 
 /// Charts of the pins, grouped by quantity.
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
-/// Adds the curves of another run's chart of the same quantity, dashed. `name` identifies that run in a note on the
-/// chart.
+/// Adds the curves of `other`, a chart of the same quantity from another run, as dashed lines. `name` identifies the
+/// other run in a note on the chart.
 void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name);
 
 }  // namespace keyblock

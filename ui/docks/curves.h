@@ -28,11 +28,11 @@ class Curves : public QWidget {
     Q_OBJECT
 
 public:
-    /// \param pins pinned points; null: no pins and no choice of quantities
+    /// \param pins pinned points; null: pins and the choice of quantities are not available
     Curves(const Themes& themes, const Display& display, TimeCursor& cursor, CurveKind kind, Pins* pins,
            QWidget* parent = nullptr);
 
-    /// Sets a second run whose curves are added, dashed; null: none.
+    /// Sets a second run, whose curves are added as dashed lines; null: none.
     void setOther(std::shared_ptr<const LiveRun> other, const QString& name);
 
     QSize sizeHint() const override { return {445, 214}; }

@@ -36,7 +36,8 @@ struct HealthRow {
 
 using HealthRows = std::array<HealthRow, healthMeasures>;
 
-/// The measures at a time of a stage. For a run opened from a file, they describe whole stages instead.
+/// The diagnostic measures at a time within a stage. For a run opened from a file, the measures refer to whole stages
+/// instead.
 HealthRows healthAt(const LiveRun& run, int stage, double time);
 
 class HealthStrip : public QWidget {

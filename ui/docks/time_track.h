@@ -18,7 +18,7 @@ namespace keyblock {
 class Themes;
 class TimeCursor;
 
-/// An event whose mark fits on the timeline, with the number of events that the mark represents.
+/// An event whose mark is placed on the timeline, with the number of events that the mark represents.
 struct PlacedEvent {
     EventGroup group = EventGroup::Slip;
     double x = 0.0;  // [px]
@@ -26,7 +26,8 @@ struct PlacedEvent {
     int count = 1;  // events represented by this mark, including those without room for their own
 };
 
-/// Places the marks of the most severe events first and omits those less than `least` [px] from a mark already placed.
+/// Places the marks of the most severe events first, and omits marks that are less than `least` [px] from a mark
+/// already placed.
 /// \param places position of each event [px]; NaN: the event is not shown
 std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
                                       double least);

@@ -27,7 +27,7 @@ public:
 
     explicit ExportForm(QWidget* parent);
 
-    /// Fills the options with what the run contains, and selects what the window shows.
+    /// Updates the options to the contents of the run, and selects the quantities and the bolt that the window shows.
     void take(const Exportable& now);
     void choose(ExportWhat what);
 

@@ -60,7 +60,7 @@ private:
     Background working_;
 };
 
-/// True if the run has data for this kind of figure. Exporting everything leaves out figures without data.
+/// True if the run has data for this kind of figure. Figures without data are left out when everything is exported.
 bool isThere(const RunSource& run, FigureKind kind);
 
 }  // namespace keyblock

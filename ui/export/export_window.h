@@ -30,9 +30,9 @@ public:
     ExportWindow(std::function<Exportable()> shown, const Themes& themes, QWidget* parent);
     ~ExportWindow() override;
 
-    /// Adopts the current view, and shows the window with `what` selected.
+    /// Adopts the current view and shows the window with the option `what` selected.
     void open(ExportWhat what);
-    /// Call when the run has more frames. Updates the preview if the window is open.
+    /// Call this when frames have been added to the run. Updates the preview if the window is open.
     void refresh();
 
 private:

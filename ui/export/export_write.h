@@ -35,8 +35,8 @@ bool isOfFrame(TableKind kind);
 /// The frame that the filter selects, e.g. "frame 12 of 67, stage burst at 0.052 s"; empty if the run has no frames.
 std::string frameText(const RunSource& run, const TableFilter& filter);
 
-/// Writes the section at every frame, as an .mp4 or .webm animation or, if `out` has no extension, as PNG files in a
-/// folder.
+/// Writes the section at every frame. The output is an .mp4 or .webm animation or, if `out` has no extension, a folder
+/// of PNG files.
 /// \param perSecond frames per second of an animation
 /// \param done called after each frame
 /// \throws CannotDraw, CannotWrite, ExportStopped

@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// Converts CSV text to values separated by tabs. Quotes around values are removed; a tab or line break within a value
+/// Converts CSV text to tab-separated values. Quotes around values are removed; a tab or line break within a value
 /// becomes a space.
 std::string tabSeparated(std::string_view csv);
 

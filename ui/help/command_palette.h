@@ -46,8 +46,8 @@ private:
     QPoint mouse_;  // cursor position on the screen when the mouse last selected an item [px]
 };
 
-/// Commands that match the typed text, best match first. Among equal matches enabled commands come first, then those
-/// used most recently.
+/// Commands that match the typed text, best match first. Among equally good matches, enabled commands come first, then
+/// the most recently used ones.
 QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent);
 
 }  // namespace keyblock

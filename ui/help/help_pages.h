@@ -30,7 +30,7 @@ struct HelpHit {
     int occurrence = 0;  // index of the occurrence on the page, from 0
 };
 
-/// Lines that contain the typed text, headings first; at most `most` lines.
+/// Lines that contain the typed text, headings first. Returns at most `most` lines.
 std::vector<HelpHit> searchHelp(const QString& typed, std::size_t most = 60);
 
 }  // namespace keyblock

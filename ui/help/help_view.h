@@ -47,8 +47,8 @@ private:
     QString shown_;
 };
 
-/// Help topic of a widget: the `helpTopic` property of the widget or of its nearest parent that has one, in the form
-/// `page` or `page#words`.
+/// Help topic of a widget, in the form `page` or `page#words`. It is the `helpTopic` property of the widget or of its
+/// nearest parent that has this property.
 QString helpTopicOf(const QWidget* widget);
 
 }  // namespace keyblock

@@ -32,8 +32,8 @@ struct CommandText {
     QString group{};  // separator lines divide the groups of a menu
 };
 
-/// Commits the text being typed in a field, as if the user left the field; the focus does not change. Every command
-/// starts with this, so that it uses the latest input.
+/// Commits the text that is being typed in a field, as if the user had left the field. The focus does not change. Every
+/// command calls this first, so that it uses the latest input.
 void finishTyping();
 
 class Commands : public QObject {
@@ -42,8 +42,9 @@ class Commands : public QObject {
 public:
     explicit Commands(const Themes& themes, QObject* parent = nullptr);
 
-    /// Adds a command. Keys chosen by the user override those in `text`. The state of a checkable command is
-    /// `isChecked()` of its action. \pre the id is unique.
+    /// Adds a command. Keys chosen by the user override the keys in `text`. The state of a checkable command is
+    /// `isChecked()` of its action.
+    /// \pre the id is unique.
     QAction* add(const CommandText& text, std::function<void()> run);
 
     /// The action of a command. \pre the command exists.
@@ -59,7 +60,8 @@ public:
     void setWhyNot(const QString& id, const QString& why);
     QString whyNot(const QAction* action) const;
 
-    /// How texts refer to the command: by its keys, such as `F5`, or, if it has none, by its name, such as `“Run”`.
+    /// Text that refers to the command in messages: its keys, such as `F5`, or, if it has none, its name, such as
+    /// `“Run”`.
     QString callOf(const QString& id) const;
 
     /// Sets the keys of a command and saves them in the settings; an empty list restores the default keys.

@@ -35,7 +35,8 @@ public:
     /// Unit of an elastic modulus in the field table; it is displayed in GPa where stresses are displayed in MPa.
     static constexpr std::string_view modulusUnit = "Pa (modulus)";
 
-    /// The display unit for an SI unit as written in the field table; the SI unit itself if there is no other.
+    /// The display unit for an SI unit, which is written as in the field table; the SI unit itself if there is no other
+    /// display unit.
     ShownUnit shown(std::string_view siUnit) const;
 
     /// Unit system and sign convention for sections and charts.
@@ -44,8 +45,8 @@ public:
     /// Text for the status bar: `mm · kN · MPa · compression +`.
     QString summary() const;
 
-    /// Text of a number that is already in the display unit, with at most `digits` significant digits, a true minus
-    /// sign and thin spaces between thousands; `–` if it is not finite.
+    /// Text of a number that is already in the display unit. It has at most `digits` significant digits, a true minus
+    /// sign and thin spaces between thousands; `–` if the number is not finite.
     static QString number(double shown, int digits = 4);
 
 Q_SIGNALS:

@@ -15,7 +15,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent);
 
-    /// Makes the label as wide as its text, up to `pixels`, instead of filling the space left by its neighbours.
+    /// Makes the label as wide as its text, but at most `pixels`, instead of filling the space left by its neighbours.
     void setMost(int pixels);
 
     QSize sizeHint() const override;

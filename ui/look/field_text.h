@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// Translation of a text that the solver marks as `translatable`.
+/// Translation of a text that the solver has marked with `translatable`.
 QString shownText(std::string_view text);
 
-/// Label of a value of a field with fixed choices: `clockwise` for `cw`.
+/// Label of one of the fixed choices of a field, e.g. `clockwise` for `cw`.
 QString choiceText(const Field& field, std::string_view word);
 
 }  // namespace keyblock

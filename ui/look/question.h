@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Asks a question and waits for the answer.
-/// \param further more details, shown below the text; may be empty.
+/// \param further details shown below the text; may be empty.
 /// \param buttons buttons with their labels (empty: Qt's label); Enter presses the first one.
 /// \return the button that was pressed.
 QMessageBox::StandardButton ask(QWidget& window, const QString& title, const QString& text, const QString& further,

@@ -27,7 +27,7 @@ struct Theme {
 const Theme& lightTheme();
 const Theme& darkTheme();
 
-/// The current theme. Applies its palette and style sheet to the application, and saves the user's choice.
+/// Holds the current theme, applies its palette and style sheet to the application, and saves the user's choice.
 class Themes : public QObject {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     bool isDark() const { return dark_; }
     void choose(bool dark);
 
-    /// The icon `resources/icons/NAME.svg` in colours of the theme: `accent` if it is checked, `text3` if it is
+    /// The icon `resources/icons/NAME.svg` in the colours of the theme: `accent` if it is checked, `text3` if it is
     /// disabled, otherwise `text2`.
     QIcon icon(const QString& name) const;
     /// The icon `resources/icons/NAME.svg` in a single colour.

@@ -16,7 +16,7 @@ class QLabel;
 
 namespace keyblock {
 
-/// The line of nodes in the strip.
+/// The row of nodes in the anchor strip.
 class AnchorLine : public QWidget {
     Q_OBJECT
 

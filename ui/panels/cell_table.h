@@ -18,7 +18,7 @@ class CellTable : public QTableWidget {
 public:
     CellTable(const QStringList& headings, bool numbers, QWidget* parent);
 
-    /// False if the number of rows is fixed: rows are then neither added nor removed.
+    /// Sets whether rows can be added and removed. False: the number of rows is fixed.
     void setGrowing(bool growing) { growing_ = growing; }
 
     void setRows(const std::vector<QStringList>& rows);

@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Names that the field may have in this scene, in the order of the scene tree; null if the field does not name an
+/// Names that the field can refer to in this scene, in the order of the scene tree; null if the field does not name an
 /// object.
 std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Field& field);
 

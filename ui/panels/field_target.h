@@ -11,13 +11,13 @@
 
 namespace keyblock {
 
-/// True if the value of the field is the name of an object with properties of its own.
+/// True if the value of the field is the name of an object that has properties of its own.
 bool namesObject(const FormRow& row);
 
-/// The name in this field of the first object of the form; empty if it has none.
+/// The name that the field contains, for the first object of the form; empty if the field is empty.
 std::string nameOfTarget(const FormRow& row);
 
-/// Pointer to the object with that name, e.g. `/bolt_types/rebar-20`; empty if there is none.
+/// Pointer to the object named by the field, e.g. `/bolt_types/rebar-20`; empty if the field names none.
 std::string targetOf(const FormRow& row);
 
 }  // namespace keyblock

@@ -28,11 +28,12 @@ QString titleOf(const Structure& structure);
 /// Number of objects as text, e.g. `3 joint sets` or `1 bolt`.
 QString countedOf(const Structure& structure, int count);
 
-/// Heading of the group that contains the field. Most structures have a single group, titled like the structure.
+/// Heading of the group that contains the field. Most structures have a single group, whose heading is the title of the
+/// structure.
 QString headingOf(const Structure& structure, const Field& field);
 
 /// SI unit of the field for this object, in the form that `Display` expects. The field table may list two units (`N/m,
-/// or N/m per m`); the object decides which applies.
+/// or N/m per m`); the properties of the object determine which one applies.
 std::string_view unitOf(const ObjectAt& at, const Field& field);
 
 /// SI units of the columns of a table of pairs; empty for any other field.

@@ -47,7 +47,7 @@ struct FormGroup {
 /// object has them.
 std::vector<FormGroup> formGroups(const Scene& scene, const std::vector<std::string>& pointers);
 
-/// Keeps the rows whose label, key or help contains `text`, and all rows of a group whose title contains it. Groups
+/// Returns the rows whose label, key or help contains `text`, and all rows of a group whose title contains it. Groups
 /// without rows are left out.
 std::vector<FormGroup> matching(std::vector<FormGroup> groups, const QString& text);
 

@@ -29,14 +29,14 @@ class LibraryPanel : public QWidget {
 public:
     LibraryPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Shows the type with this name.
+    /// Shows the bolt type with this name.
     void choose(const QString& name);
     QString chosen() const { return chosen_; }
 
-    /// Adds a copy of the type to the scene under an unused name and selects it.
+    /// Adds a copy of the bolt type to the scene under an unused name, and selects the copy.
     void copyIntoScene();
 
-    /// Assigns the type to all selected bolts and patterns.
+    /// Assigns the bolt type to all selected bolts and patterns.
     void assign();
 
     void refresh();

@@ -22,7 +22,8 @@ struct LibraryEntry {
     int users = 0;  // number of bolts and patterns of the scene that use this type
 };
 
-/// Types whose name, class or source contains `filter`: first those of the scene, then the built-in ones by class.
+/// Bolt types whose name, class or source contains `filter`: first the types of the scene, then the built-in types by
+/// class.
 std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& display, const QString& filter);
 
 struct LibraryNumber {
@@ -30,7 +31,7 @@ struct LibraryNumber {
     bool unconfirmed = false;  // the source is marked as unconfirmed or as an estimate
 };
 
-/// All values that apply to the type, with their sources.
+/// All values that apply to the bolt type, with their sources.
 std::vector<LibraryNumber> libraryNumbers(const BoltType& type, const Display& display);
 
 /// A curve in display units, with axis titles that include the units.
@@ -43,11 +44,11 @@ struct ShownCurve {
 /// Stress–strain curve of the steel; has no points if the steel is linear elastic and cannot break.
 ShownCurve steelCurve(const BoltType& type, const Display& display);
 
-/// Force–slip curves of the bond laws of the type; identical laws appear once.
+/// Force–slip curves of the bond laws of the bolt type; identical laws are shown only once.
 std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display);
 
-/// Force–slip curve of an anchor from its bond law alone, up to the slip `farthest` [m]; a law given by points is
-/// returned as it is.
+/// Force–slip curve of an anchor according to its bond law, up to the slip `farthest` [m]. If the law is given by
+/// points, the points are returned unchanged.
 Table bondCurve(const Anchor& anchor, double farthest);
 
 }  // namespace keyblock

@@ -12,7 +12,8 @@ class QLineEdit;
 
 namespace keyblock {
 
-/// Edits numbers, points, directions, positions and texts. Shows rounded values; shows all digits while editing.
+/// Edits numbers, points, directions, positions and strings. Values are rounded for display; all digits are shown while
+/// editing.
 class LineEditor : public ValueEditor {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace keyblock {
 class Display;
 class Document;
 
-/// The text after the name of the object at `pointer`, in display units; may be empty.
+/// The text shown after the name of the object at `pointer`, in display units; may be empty.
 QString detailOf(const Document& document, const Display& display, const std::string& pointer);
 
 /// Name of the icon for this kind of object.

@@ -30,8 +30,8 @@ struct ProblemRow {
     int depth = 0;
 };
 
-/// Errors, warnings and notes of the latest check, then slivers and the cut report, followed by the notes of the report
-/// if it is open.
+/// Rows for errors, warnings and notes of the latest check, then for slivers and the cut report. If the report is open,
+/// its notes follow.
 std::vector<ProblemRow> problemRows(const Document& document, const Display& display, bool reportIsOpen);
 
 /// Number of errors and warnings in `rows`.

@@ -31,7 +31,7 @@ class PropertyPanel : public QWidget {
 public:
     PropertyPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Moves the focus to a field of the selection; false if the field is not shown.
+    /// Moves the focus to a field of the selected objects; returns false if the field is not shown.
     bool focusField(const QString& path);
 
     /// Moves the focus to the field with this JSON pointer, if it belongs to the first object shown.
@@ -41,8 +41,8 @@ public:
 
     /// Places a widget above the fields.
     void addAbove(QWidget* widget);
-    /// Replaces the title and second line of the selection. If nothing is selected, no fields are shown. Empty texts
-    /// restore the title of the selection.
+    /// Replaces the title and the second line of the panel, which normally describe the selection. If nothing is
+    /// selected, no fields are shown. Empty texts restore the description of the selection.
     void setSubject(const QString& title, const QString& detail);
 
 Q_SIGNALS:

@@ -37,12 +37,12 @@ public:
     /// Sets the runs of the scene, in the order in which they are listed under Results.
     void setRuns(std::vector<RunRow> runs);
 
-    /// Title, filter and Add button, as the header of the dock.
+    /// The header of the dock: title, filter and Add button.
     QWidget* header() const { return header_; }
 
     TreeView& view() const { return *view_; }
 
-    /// Selects the in-situ stress, and adds it first if the scene has none.
+    /// Selects the in-situ stress. If the scene has none, it is added first.
     void addInSituStress();
 
     /// Updates the tree to the current scene now, without waiting for the event loop.

@@ -38,7 +38,7 @@ std::vector<PlanRow> stagePlan(const Scene& scene);
 
 inline constexpr std::size_t mostPlanBlocks = 40;
 
-/// Toggles a cell. Rock: excavates it in this stage instead of any other, or cancels its excavation in this stage.
+/// Toggles a cell. Rock: excavates the rock in this stage and in no other, or cancels its excavation in this stage.
 /// Bolts: cancels an installation or removal in this stage. If there is neither, removes the bolt if it is present and
 /// some stage installs it; otherwise installs it.
 Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
@@ -49,7 +49,7 @@ QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 /// Short descriptions of what the stage does, e.g. `excavates drift` and `2 loads`.
 QStringList stageDeeds(const Stage& stage, const Display& display);
 
-/// When the stage ends, e.g. `at equilibrium`, `10 increments` or `0.5 s`.
+/// Condition at which the stage ends, e.g. `at equilibrium`, `10 increments` or `0.5 s`.
 QString stageEnd(const Stage& stage, const Display& display);
 
 }  // namespace keyblock

@@ -26,7 +26,7 @@ class StressStrip : public QWidget {
 public:
     StressStrip(const FormContext& context, QWidget* parent);
 
-    /// Shows the strip for the in-situ stress and hides it for any other object.
+    /// Shows the strip if the object is the in-situ stress; hides it for any other object.
     void setObject(const std::string& pointer);
 
 private:

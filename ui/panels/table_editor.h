@@ -17,7 +17,7 @@ namespace keyblock {
 class CellTable;
 class TableChart;
 
-/// Edits lists of points, pairs (with a chart) or texts, and maps from names to texts.
+/// Edits lists of points, pairs (with a chart) or strings, and maps from names to strings.
 class TableEditor : public ValueEditor {
     Q_OBJECT
 

@@ -35,7 +35,8 @@ public:
 
     const TreeNode& nodeAt(const QModelIndex& index) const;
 
-    /// The row with this id; an invalid index if there is none, or if its parent list has not been expanded yet.
+    /// The row with this id; an invalid index if there is no such row, or if the list that contains it has not been
+    /// expanded yet.
     QModelIndex indexOf(const QString& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;

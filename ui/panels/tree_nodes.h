@@ -60,7 +60,7 @@ TreeNode& addChild(TreeNode& parent, std::unique_ptr<TreeNode> child);
 /// Creates the deferred children of `node`.
 std::vector<std::unique_ptr<TreeNode>> waitingChildren(const TreeSource& source, const TreeNode& node);
 
-/// For each pointer, the highest severity of the errors and warnings about it or about anything below it.
+/// For each pointer, the highest severity among the errors and warnings about the pointer or anything below it.
 std::map<std::string, Severity> severities(const std::vector<Problem>& problems);
 
 }  // namespace keyblock

@@ -17,23 +17,25 @@ namespace keyblock {
 
 class Display;
 
-/// A number given in the SI unit `unit`, as text in the display unit with at most `digits` significant digits.
+/// Text of a number in the display unit, with at most `digits` significant digits. \param value the number in the SI
+/// unit `unit`
 QString numberText(double value, std::string_view unit, const Display& display, int digits = 6);
 
 /// Like `numberText`, with enough digits to restore the number exactly, for a field that is being edited.
 QString exactNumberText(double value, std::string_view unit, const Display& display);
 
-/// The value that was typed, or an error message.
+/// The value that the user typed, or an error message.
 template <typename Value>
 struct Typed {
     std::optional<Value> value;
     QString problem;
 };
 
-/// Reads a number typed in the display unit, with another unit, or as an expression. Returns it in the SI unit `unit`.
+/// Reads a number that is typed in the display unit, with another unit, or as an expression. Returns the number in the
+/// SI unit `unit`.
 Typed<double> readNumber(const QString& text, std::string_view unit, const Display& display);
 
-/// A value as text on one line: numbers, positions, points, triples and texts. Empty if the value is null.
+/// A value as text on one line: numbers, positions, points, triples and strings. Empty if the value is null.
 QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
                   bool exact = false);
 

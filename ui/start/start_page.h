@@ -44,7 +44,7 @@ public:
     /// Searches for scenes that can be recovered, and shows the page.
     void open();
 
-    /// Scenes that can be recovered. Reports journals that cannot be read.
+    /// Searches for scenes that can be recovered, and returns them. Reports journals that cannot be read.
     std::vector<Abandoned> lookForAbandoned();
 
 Q_SIGNALS:

@@ -17,7 +17,7 @@ enum class ThumbnailView { Heart, Everything };  // the relevant part, cropped i
 
 /// Paints the drawing of a scene as a thumbnail.
 /// \param pixels size of the image
-/// \param ratio device pixel ratio for which line widths are chosen
+/// \param ratio device pixel ratio, which determines the line widths
 QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,
                       ThumbnailView view = ThumbnailView::Heart);
 

@@ -29,7 +29,7 @@ class Thumbnails : public QObject {
 public:
     explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// Requests the thumbnail of a scene file. The signal `ready` delivers it, sooner if it is in the cache.
+    /// Requests the thumbnail of a scene file. The signal `ready` delivers the thumbnail, sooner if it is in the cache.
     /// \param size size of the thumbnail in device-independent pixels
     void ask(const QString& path, QSize size, double ratio, const Theme& theme);
 

@@ -16,8 +16,8 @@ QStringList regionNames(const Scene& scene);
 QStringList boltTypeNames(const Scene& scene);  // types of the scene first, then the built-in ones
 QStringList stageNames(const Scene& scene);
 
-/// Keeps `name` if it is one of `names`. Otherwise sets it to the first of `names` (empty if there are none), or resets
-/// it if it is optional.
+/// Leaves `name` unchanged if it is one of `names`. Otherwise sets it to the first of `names`, or to an empty string if
+/// there are none; an optional name is reset instead.
 void keepAmong(std::string& name, const QStringList& names);
 void keepAmong(std::optional<std::string>& name, const QStringList& names);
 

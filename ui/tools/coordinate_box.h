@@ -26,9 +26,9 @@ class CoordinateBox : public QFrame {
 public:
     CoordinateBox(QWidget& canvas, const Themes& themes);
 
-    /// Moves the box next to `pixel` and shows the point in it, unless the user is typing.
-    /// \param previous base of relative coordinates
-    /// \param belowTag leaves room for the tag of a snap point
+    /// Moves the box next to `pixel` and shows the coordinates of the point in it, unless the user is typing.
+    /// \param previous point to which relative coordinates refer
+    /// \param belowTag true: leave room above the box for the tag of a snap point
     void follow(const Point& place, const QPointF& pixel, const std::optional<Point>& previous, bool belowTag);
 
     /// Starts typing coordinates; `text` is the first character typed.

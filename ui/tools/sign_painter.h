@@ -22,7 +22,7 @@ class SignPainter {
 public:
     SignPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// Paints the symbol of the object, if it has one.
+    /// Paints the symbol of the object; does nothing if it has no symbol.
     void paint(const Scene& scene, const SceneObject& object);
 
     // Single symbols, for previews.

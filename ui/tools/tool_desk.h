@@ -42,7 +42,8 @@ public:
     Tool& tool() const { return *tool_; }
     void choose(const QString& id);
 
-    /// False: the canvas shows results. Then only what is shown can be selected, and nothing can be drawn or dragged.
+    /// True: the canvas shows the drawing. False: it shows results; the user can then select visible objects, but
+    /// cannot draw or drag anything.
     void setDrawing(bool drawing);
 
     void press(const CanvasEvent& event) override;

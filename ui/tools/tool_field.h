@@ -31,7 +31,7 @@ struct ToolField {
     const QStringList& shownChoices() const { return choiceTexts.isEmpty() ? choices : choiceTexts; }
 };
 
-/// Option for the field `key` of `object`, an entry of the scene's list `list` (`bolts`, `joint_sets`, …).
+/// A tool option for the field `key` of `object`, which belongs to the scene's list `list` (`bolts`, `joint_sets`, …).
 /// \param choices names allowed for a text field
 /// \param changed called after every change
 ToolField rowField(const char* list, const char* key, void* object, const QString& label, std::function<void()> changed,

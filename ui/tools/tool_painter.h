@@ -23,7 +23,7 @@ namespace keyblock {
 class CanvasMap;
 struct Theme;
 
-/// Paints on one view in the colours of one theme.
+/// Paints on one view, in the colours of one theme.
 class ToolPainter {
 public:
     ToolPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);

@@ -27,7 +27,7 @@ class Themes;
 class Visibility;
 struct Theme;
 
-/// A point given to a tool by the mouse or the keyboard.
+/// A point that the user gives to a tool with the mouse or the keyboard.
 struct Pointed {
     Point place{0.0, 0.0};  // after snapping [m]
     Point raw{0.0, 0.0};  // position of the mouse, before snapping [m]
@@ -72,8 +72,8 @@ public:
     bool isDrawing() const { return drawing_; }
     void setDrawing(bool drawing);
 
-    /// The point at the mouse after snapping. A snap point that `accepts` rejects is ignored.
-    /// \param previous point from which ortho and perpendicular snaps start
+    /// The point at the mouse after snapping. A snap point is ignored if `accepts` rejects it.
+    /// \param previous point that ortho and perpendicular snaps use as the start of the line
     /// \param except pointers to objects excluded from snapping
     template <typename Accepts>
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,

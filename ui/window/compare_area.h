@@ -48,11 +48,11 @@ public:
     CompareArea(const CompareNeeds& needs, QObject* parent);
     ~CompareArea() override;
 
-    /// Sets the layout for the second canvas, and the charts that show the curves of both runs.
+    /// Sets the layout in which the second canvas is placed, and the charts that show the curves of both runs.
     void place(QBoxLayout& besideCanvas, Curves& curves, Curves& energies);
 
 private:
-    /// Widgets of the second run; exist only while two runs are shown.
+    /// Widgets of the second run. They exist only while two runs are shown.
     struct Second;
 
     void beginOrEnd();

@@ -12,7 +12,7 @@ namespace keyblock {
 class Document;
 class Themes;
 
-/// \pre the window has its central widget.
+/// \pre the central widget of the window has been set.
 void addFileNotices(QMainWindow& window, Document& document, const Themes& themes);
 
 }  // namespace keyblock

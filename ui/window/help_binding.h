@@ -12,8 +12,8 @@ namespace keyblock {
 class Commands;
 class Themes;
 
-/// Adds the commands with the keys F1, Ctrl+K and `?`, and the dock that shows help. Returns the search box for the
-/// menu bar.
+/// Adds the commands that open the help (F1), the command palette (Ctrl+K) and the list of shortcuts (`?`), and the
+/// dock that shows help. Returns the search box for the menu bar.
 QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes);
 
 }  // namespace keyblock

@@ -15,7 +15,7 @@ class Themes;
 
 void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes);
 
-/// True if the file is a drawing or a list that can be imported, judged by its extension.
+/// True if the file can be imported as a drawing or a list, judging by its extension.
 bool isDrawing(const QString& path);
 
 /// Opens the import preview for a drawing. The document changes only when the user confirms.

@@ -29,9 +29,9 @@ public:
     /// Adds the commands for layouts, and one for each dock. \pre the window has all of its docks.
     Layouts(QMainWindow& window, Commands& commands);
 
-    /// Restores the docks as they were when the window was last closed; the default layout if there is none.
+    /// Restores the layout that the window had when it was last closed, or the default layout if none was saved.
     void begin();
-    /// Shows the docks as they were last used in this arrangement.
+    /// Shows the docks in the layout that was last used for this arrangement.
     void show(Arrangement arrangement);
     /// Saves both arrangements for the next start.
     void keep();

@@ -14,7 +14,7 @@ struct Panels;
 
 void showRunsIn(const Panels& panels, Runs& runs);
 
-/// Shows the results of the selected bolt or block above its properties.
+/// Shows the results of the selected bolt or block in the Properties panel, above the fields.
 void showResultsIn(const Panels& panels, ResultCard& results);
 
 }  // namespace keyblock

@@ -34,7 +34,7 @@ struct CanvasPlaces {
     QHBoxLayout& row;  // canvas with room for a second canvas next to it
 };
 
-/// Makes the canvas, with the tool palette and the bar of tool options, the central widget of the window.
+/// Makes the canvas, together with the tool palette and the bar of tool options, the central widget of the window.
 CanvasPlaces placeTools(const ToolNeeds& needs);
 
 }  // namespace keyblock

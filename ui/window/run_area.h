@@ -62,7 +62,7 @@ class RunArea : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds the commands for runs and results. `place` adds the docks and bars.
+    /// Adds the commands for runs and results. The docks and bars are added later, by `place`.
     explicit RunArea(const RunAreaParts& parts);
     ~RunArea() override;
 

@@ -16,7 +16,8 @@ class Themes;
 /// Creates the start page over the window and adds its command. \pre the commands of its buttons have been added.
 StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms);
 
-/// Start-up without a file: shows the start page if the user has not disabled it, or if a scene can be recovered.
+/// Start-up without a file: shows the start page unless the user has disabled it; shows it in any case if a scene can
+/// be recovered.
 void beginWithStartPage(StartPage& page);
 
 /// Start-up with a file: instead of the start page, a bar over `canvas` offers scenes that can be recovered.

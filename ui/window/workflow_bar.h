@@ -28,7 +28,7 @@ public:
     void choose(WorkStep step);
     void setStates(const WorkStates& states);
 
-    /// Adds a widget at the right end, to the right of those added before.
+    /// Adds a widget at the right end of the bar, to the right of the widgets added before.
     void addRight(QWidget* widget);
 
     QSize minimumSizeHint() const override;
