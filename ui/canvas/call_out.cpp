@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double edgeWidth = 3.0, padding = 8.0, mostWidth = 240.0;  // [px]
+constexpr double edgeWidth = 3.0, callOutPadding = 8.0, mostCallOutWidth = 240.0;  // [px]
 constexpr int headSize = 12, detailSize = 11;  // font sizes [px]
 
 QString fitting(const QString& text, const QFont& font) {

@@ -23,7 +23,7 @@ struct LegendTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 
-constexpr double inset = 10.0, padding = 13.0, width = legendExtent - inset;  // [px]
+constexpr double legendInset = 10.0, legendPadding = 13.0, width = legendExtent - legendInset;  // [px]
 constexpr double leastCanvas = 480.0;  // [px] on a narrower canvas the legend would hide the section
 constexpr double leastNarrow = 260.0;  // [px] smallest width at which the colour bars fit below the section
 // [px] from this width on, the colour bars fit next to the scale bar; on a narrower canvas they are above it

@@ -21,7 +21,7 @@ constexpr double leastLength = 58.0, height = 36.0, scaleInset = 12.0, scalePadd
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 
 /// The length of the scale bar, which is a round number that suits the scale.
-struct Measure {
+struct BarMeasure {
     double pixels = 0.0;
     QString middle, last;
     double half = 0.0;  // [px] half the width of the last number without its unit

@@ -23,7 +23,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int gap = 28, rim = 44, foot = 28, leastForTitle = 560;  // [px]
+constexpr int galleryGap = 28, galleryRim = 44, foot = 28, leastForTitle = 560;  // [px]
 constexpr QSize pictureSize(500, SampleCard::picture);  // wider than a card, which shows only the middle
 
 struct Kind {

@@ -91,7 +91,7 @@ bool BoltTool::back() {
 }
 
 bool BoltTool::accepts(const Snap& snap) const {
-    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallReach))) return true;
+    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallSnapReach))) return true;
     return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // points that are not on the wall are ignored
 }
 
