@@ -94,7 +94,9 @@ Parts partsOf(const std::vector<Point>& scatteredSites, const Polygon& region, c
     for (const Point& site : scatteredSites) distinct.number(site);
     std::vector<Point> sites;
     for (int i = 0; i < distinct.size(); ++i) sites.push_back(distinct[i]);
-    const SiteCells whole = siteCells(sites, grown(boxOf(region), size), size, tolerance);
+    const Box box = boxOf(region);
+    const double margin = std::min(size, (box.max - box.min).maxCoeff());
+    const SiteCells whole = siteCells(sites, grown(box, margin), size, tolerance);
     Parts parts;
     for (std::size_t i = 0; i < sites.size(); ++i) {
         Polygon cell;

@@ -7,6 +7,7 @@
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace keyblock {
 namespace {
@@ -24,8 +25,10 @@ const std::vector<Point>& regionOf(const Scene& scene, const std::optional<std::
 }
 
 double toleranceOf(const Scene& scene) {
+    constexpr double least = 64.0 * std::numeric_limits<double>::epsilon();  // of a coordinate, as of the cut
     const Box box = boxOf(scene.domain->boundary);
-    return scene.cutting.tolerance.value_or(usualTolerance * (box.max - box.min).maxCoeff());
+    const double wanted = scene.cutting.tolerance.value_or(usualTolerance * (box.max - box.min).maxCoeff());
+    return std::max(wanted, least * std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff()));
 }
 
 /// Collects the traces of all sources, one source after another.

@@ -108,6 +108,7 @@ TEST(Voronoi, OneCellWhereTheRegionIsSmallerThanTheSize) {
     ASSERT_EQ(v.cells.size(), 1u);
     EXPECT_EQ(v.cells[0], square);
     EXPECT_TRUE(v.edges.empty());
+    EXPECT_EQ(voronoiCells(square, 1e300, 1, tolerance).cells, v.cells);
 }
 
 TEST(Voronoi, OfTwoSitesTheEdgeIsTheirBisector) {

@@ -105,6 +105,18 @@ TEST(CutScene, PartsASquareWithACrossIntoFour) {
     EXPECT_EQ(cutScene(cut.scene).scene, cut.scene);
 }
 
+/// As in the cut itself.
+TEST(CutScene, TakesNoToleranceBelowRoundOff) {
+    Scene scene = crossed();
+    scene.joints.clear();
+    scene.voronoi.emplace().size = 0.5;
+    const SceneCut usual = cutScene(scene);
+    EXPECT_EQ(usual.blocks, 16);
+    scene.cutting.tolerance = 1e-30;
+    EXPECT_EQ(errorsOf(scene), "");
+    EXPECT_EQ(cutScene(scene).blocks, usual.blocks);
+}
+
 TEST(CutScene, DoesNotDependOnTheOrderOfJoints) {
     Scene scene = crossed(), turned = scene;
     std::swap(turned.joints[0], turned.joints[1]);
