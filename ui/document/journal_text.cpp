@@ -110,9 +110,11 @@ bool applyStep(Journalled& journal, const JsonNode& body, std::size_t index) {
 }
 
 bool applySaved(Journalled& journal, const JsonNode& body) {
-    journal.saved = countAt(body, "at");
+    const auto saved = countAt(body, "at");
+    if (saved && *saved >= journal.steps.size()) return false;
+    journal.saved = saved;
     journal.path = textAt(body, "saved");
-    return !journal.saved || *journal.saved < journal.steps.size();
+    return true;
 }
 
 bool apply(Journalled& journal, const JsonNode& body) {

@@ -197,6 +197,9 @@ TEST_F(Journals, AnyBytesAreReadSafely) {
         bent[place] = static_cast<char>(bent[place] + 1);
         EXPECT_LT(readJournal(bent).changes, 3u) << place;
     }
+    const Journalled astray = readJournal(journalBegin("", "a", "{}", false) + journalSaved(7, "b.json"));
+    EXPECT_NE(astray.damage, "");
+    EXPECT_FALSE(astray.saved) << "there is no step 7";
     test::putContent((folder() + "/noise.journal").toStdString(), "no journal\n\xff\xfe\n");
     QStringList unusable;
     EXPECT_EQ(abandonedJournals(folder(), &unusable).size(), 1u);
