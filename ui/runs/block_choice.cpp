@@ -13,9 +13,8 @@ namespace keyblock {
 BlockChoice::BlockChoice(const TimeCursor& cursor, BoltChoice& bolts, QObject* parent)
     : QObject(parent), cursor_(cursor), bolts_(bolts) {
     connect(&cursor, &TimeCursor::runChanged, this, [this] { choose(-1); });
-    connect(&bolts, &BoltChoice::changed, this, [this] {
-        if (bolts_.bolt() >= 0) choose(-1);
-    });
+    // If the run changes, the choice of bolts changes first; a block that the new run does not have is dropped then.
+    connect(&bolts, &BoltChoice::changed, this, [this] { choose(bolts_.bolt() >= 0 ? -1 : block_); });
 }
 
 void BlockChoice::choose(int block) {
