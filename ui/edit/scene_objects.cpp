@@ -8,6 +8,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/shapes.h"
+#include "ui/edit/defaults.h"
 #include "ui/edit/names.h"
 
 #include <algorithm>
@@ -20,17 +21,11 @@ constexpr double signLength = 3.0;  // in units of the spacing of a joint set
 
 bool allUsable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
 
-bool isOutline(const std::vector<Point>& points) {
-    if (points.size() < 3 || !allUsable(points)) return false;
-    const Box box = boxOf(points);
-    return !crossesItself(points, 1e-9 * (box.max - box.min).norm());
-}
-
 /// The area in which traces may lie; null if it is not an outline.
 const std::vector<Point>* regionOf(const Scene& scene, const std::optional<std::string>& name) {
     const SceneRegion* region = name ? findRegion(scene, *name) : nullptr;
     const std::vector<Point>* points = region ? &region->points : !name && scene.domain ? &scene.domain->boundary : nullptr;
-    return points && isOutline(*points) ? points : nullptr;
+    return points && outlineProblem(*points).empty() ? points : nullptr;
 }
 
 double toleranceIn(const std::vector<Point>& region) {
@@ -139,7 +134,7 @@ private:
     void draw(const Support& support, SceneObject& out) const {
         for (const auto& place : {support.blockAt, support.point})
             if (place && isUsable(*place)) out.marks.push_back(*place);
-        if (!support.boundary || !scene_.domain || !isOutline(scene_.domain->boundary)) return;
+        if (!support.boundary || !scene_.domain || !outlineProblem(scene_.domain->boundary).empty()) return;
         const std::vector<Point> corners = counterClockwise(scene_.domain->boundary);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point &from = corners[i], &to = corners[(i + 1) % corners.size()];

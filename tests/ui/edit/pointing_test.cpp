@@ -76,6 +76,9 @@ TEST(Objects, AcceptBrokenScenes) {
     EXPECT_FALSE(wallAt(scene, {0, 0}, -1));
     EXPECT_FALSE(wallOfTunnel(scene, 0, {0, 0}));
     EXPECT_FALSE(wallOfTunnel(scene, 7, {0, 0}));
+    scene.voronoi->size = 1.0;
+    scene.domain->boundary = {{3, 3}, {3, 3}, {3, 3}};
+    for (const SceneObject& object : objectsOf(scene)) EXPECT_NE(object.kind, ObjectKind::Voronoi) << "no area";
     scene.domain->boundary = {{0, 0}, {1000, 0}, {1000, 1000}};
     const std::vector<SceneObject> repaired = objectsOf(scene);
     const auto huge = std::find_if(repaired.begin(), repaired.end(),
