@@ -8,6 +8,7 @@
 #include "geometry/angle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -47,11 +48,13 @@ std::optional<ShapeProblem> boltPatternProblem(const BoltPattern& pattern) {
 }
 
 double boltCount(const TunnelProfile& profile, const BoltPattern& pattern) {
+    assert(!boltPatternProblem(pattern));
     const double room = lastPlace(profile, pattern) - pattern.offset;
     return room < 0.0 ? 0.0 : std::floor(room / pattern.spacing) + 1.0;
 }
 
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern) {
+    assert(!boltPatternProblem(pattern));
     const double sense = pattern.way == Way::CounterClockwise ? 1.0 : -1.0;
     const double beginning = lengthOfNearest(profile, pattern.from);
     const Point lean = directionOf(pattern.angleFromWall);

@@ -10,6 +10,7 @@
 #include "geometry/segment.h"
 
 #include <array>
+#include <cassert>
 #include <numeric>
 
 namespace keyblock {
@@ -115,6 +116,7 @@ private:
 }  // namespace
 
 std::vector<std::vector<int>> convexPieces(std::span<const Point> polygon) {
+    assert(polygon.size() >= 3);
     if (!isConvex(polygon)) return Clipping(polygon).triangles();
     std::vector<int> all(polygon.size());
     std::iota(all.begin(), all.end(), 0);

@@ -9,6 +9,7 @@
 #include "geometry/angle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -152,6 +153,7 @@ std::optional<ShapeProblem> jointSetProblem(const JointSet& set) {
 }
 
 double jointTraceEstimate(const JointSet& set, std::span<const Point> region) {
+    assert(!jointSetProblem(set) && !region.empty());
     /// Number of steps from `low` to `high`; with scatter, the interval is extended to include 0.
     const auto steps = [](bool scatters, double low, double high, double step) {
         return 1.0 + (scatters ? std::max(high, 0.0) - std::min(low, 0.0) : high - low) / step;
@@ -165,6 +167,7 @@ double jointTraceEstimate(const JointSet& set, std::span<const Point> region) {
 }
 
 std::vector<JointTrace> jointTraces(const JointSet& set, std::span<const Point> region, double tolerance) {
+    assert(!jointSetProblem(set));
     const Point along = directionOf(set.dip);
     const Reach reach = reachOf(set, region);
     std::vector<JointTrace> traces;

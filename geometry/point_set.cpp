@@ -4,6 +4,7 @@
 // Points within the tolerance of a point are in its bin or in one of the eight bins around it.
 #include "geometry/point_set.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -15,6 +16,7 @@ std::size_t PointSet::Mixed::operator()(const Bin& bin) const {
 }
 
 int PointSet::number(const Point& p) {
+    assert(p.cwiseAbs().maxCoeff() / tolerance_ < 0x1p62);
     const Bin own{static_cast<std::int64_t>(std::floor(p.x() / tolerance_)),
                   static_cast<std::int64_t>(std::floor(p.y() / tolerance_))};
     int nearest = -1;

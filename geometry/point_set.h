@@ -7,6 +7,7 @@
 
 #include "geometry/point.h"
 
+#include <cassert>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -17,7 +18,7 @@ class PointSet {
 public:
     /// \param tolerance [m] distance up to which points count as the same
     /// \pre tolerance > 0; coordinates / tolerance < 2⁶².
-    explicit PointSet(double tolerance) : tolerance_(tolerance) {}
+    explicit PointSet(double tolerance) : tolerance_(tolerance) { assert(tolerance > 0.0); }
 
     /// Number of the nearest point within the tolerance of `p`; if there is none, `p` is added with a new number.
     int number(const Point& p);

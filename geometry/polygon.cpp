@@ -9,6 +9,7 @@
 #include "geometry/segment.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +46,7 @@ double signedArea(std::span<const Point> polygon) {
 }
 
 Moments moments(std::span<const Point> polygon) {
+    assert(!polygon.empty());
     const double area = signedArea(polygon);
     const Point& corner = polygon.front();
     const Point centre = relativeCentroid(polygon, area);
@@ -71,6 +73,7 @@ std::vector<Point> counterClockwise(std::vector<Point> polygon) {
 }
 
 double distanceToBoundary(std::span<const Point> polygon, const Point& p) {
+    assert(!polygon.empty());
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.size(); ++i)
         least = std::min(least, distanceToSegment(polygon[i], polygon[following(polygon, i)], p));
@@ -151,6 +154,7 @@ bool contains(std::span<const Point> outer, std::span<const Point> inner, double
 }
 
 Box boxOf(std::span<const Point> points) {
+    assert(!points.empty());
     Box box{points.front(), points.front()};
     for (const Point& p : points) {
         box.min = box.min.cwiseMin(p);

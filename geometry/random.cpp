@@ -5,6 +5,7 @@
 // evaluated afterwards, so that the last digit of another maths library cannot put a stream out of step.
 #include "geometry/random.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +69,7 @@ double Random::normalWithin(double cut) {
 }
 
 double draw(Random& random, const Scatter& scatter) {
+    assert(scatter.deviation >= 0.0 && (scatter.mean > 0.0 || scatter.deviation == 0.0));
     if (scatter.deviation == 0.0) return scatter.mean;
     const LogNormal law = logNormal(scatter);
     return law.median * std::exp(law.s * random.normalWithin(scatterCut));

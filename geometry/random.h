@@ -48,7 +48,8 @@ inline constexpr double scatterCut = 3.0;
 
 /// A random value of the log-normal distribution with this mean and standard deviation, whose normal variable is
 /// truncated at `scatterCut`. The truncation does not change the mean but reduces the standard deviation: by 1.3 % if
-/// it is a small fraction of the mean, by 6.8 % if it equals the mean. \pre mean > 0, deviation >= 0.
+/// it is a small fraction of the mean, by 6.8 % if it equals the mean.
+/// \pre deviation >= 0; mean > 0 unless deviation is 0.
 double draw(Random& random, const Scatter& scatter);
 
 /// Largest value [m] that `draw` can return; 0 for a mean of 0.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -123,6 +124,7 @@ Point commonPlace(std::span<const Point> sites, std::array<int, 3> names, const 
 }  // namespace
 
 SiteCells siteCells(std::span<const Point> sites, const Box& bounds, double spacing, double tolerance) {
+    assert(spacing > 0.0);
     const Bins bins(sites, spacing);
     SiteCells result{PointSet(tolerance), {}};
     std::map<std::array<int, 3>, int> named;

@@ -7,6 +7,7 @@
 #include "geometry/split.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -282,6 +283,7 @@ double gridCells(std::span<const Point> polygon, double size) {
 }
 
 SubBlocks cutIntoCells(std::span<const Point> polygon, double size, double tolerance) {
+    assert(size > 0.0);
     const Point along = gridDirection(polygon), origin = polygon.front();
     const Polygon outline = allInFrame(polygon, origin, along);
     const Grid grid = gridOf(outline, along, size);

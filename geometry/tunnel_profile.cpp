@@ -9,6 +9,7 @@
 #include "geometry/polygon.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,7 @@ TunnelProfile built(const PolygonShape& s, std::optional<double> sagitta) {
 }  // namespace
 
 TunnelProfile tunnelProfile(const ProfileShape& shape, std::optional<double> sagitta) {
+    assert(!sagitta || *sagitta > 0.0);
     return std::visit([&](const auto& s) { return built(s, sagitta); }, shape);
 }
 

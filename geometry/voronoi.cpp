@@ -14,6 +14,7 @@
 #include "geometry/split.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -181,6 +182,7 @@ VoronoiCells assembled(const Parts& parts, const Polygon& region, const Point& o
 }  // namespace
 
 double voronoiEstimate(std::span<const Point> region, double size) {
+    assert(!region.empty() && size > 0.0);
     const Box box = boxOf(region);
     return std::max(1.0, (box.max.x() - box.min.x()) / size) * std::max(1.0, (box.max.y() - box.min.y()) / size);
 }
