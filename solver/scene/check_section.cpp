@@ -16,6 +16,7 @@
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -253,6 +254,7 @@ void checkBoltNames(CheckContext& context) {
 }
 
 void checkSection(CheckContext& context) {
+    assert(&context.scene == &context.document);
     const Scene& scene = context.scene;
     checkNames(context);
     bool sound = scene.domain && checkDomain(context);

@@ -9,6 +9,7 @@
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <type_traits>
 
@@ -146,6 +147,7 @@ bool applies(const Structure& structure, const Field& field, const void* object)
 }
 
 std::string condition(const Field& field) {
+    assert(!field.only.key.empty());
     std::string words;
     for (const std::string_view word : field.only.words)
         words += (words.empty() ? "" : " or ") + inQuotes(word);

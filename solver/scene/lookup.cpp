@@ -9,6 +9,7 @@
 #include "solver/scene/pointer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -138,6 +139,7 @@ std::string blockPointer(const Scene& scene, std::size_t block) {
 }
 
 std::string displayName(const Scene& scene, int block) {
+    assert(0 <= block && block < static_cast<int>(scene.blocks.size()));
     const std::string& name = scene.blocks.at(static_cast<std::size_t>(block)).name;
     return name.empty() ? "b" + std::to_string(block + 1) : name;
 }

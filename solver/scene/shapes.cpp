@@ -7,6 +7,7 @@
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace keyblock {
@@ -94,6 +95,7 @@ const SceneRegion* findRegion(const Scene& scene, const std::string& name) {
 int findTunnel(const Scene& scene, const std::string& name) { return indexOfName(scene.tunnels, name); }
 
 int jointOf(const Scene& scene, const std::optional<std::string>& name) {
+    assert(scene.domain);
     const std::optional<std::string>& used = name ? name : scene.domain->jointMaterial;
     if (!used) return scene.jointMaterials.empty() ? builtInJoint : 0;
     const auto found = std::find_if(scene.jointMaterials.begin(), scene.jointMaterials.end(),
@@ -116,6 +118,7 @@ bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel) {
 }
 
 bool standsInOpening(const Scene& scene, const std::vector<Point>& points) {
+    assert(scene.domain);
     return std::any_of(scene.tunnels.begin(), scene.tunnels.end(), [&](const SceneTunnel& tunnel) {
         const ProfileShape shape = shapeOf(tunnel);
         if (!isOpenFromStart(scene, tunnel) || profileProblem(shape)) return false;
@@ -124,6 +127,7 @@ bool standsInOpening(const Scene& scene, const std::vector<Point>& points) {
 }
 
 SceneTraces tracesOf(const Scene& scene) {
+    assert(scene.domain);
     Collector out;
     for (const SceneJoint& joint : scene.joints) {
         out.begin("joint " + inQuotes(joint.name), jointOf(scene, joint.jointMaterial));

@@ -4,6 +4,7 @@
 // Parses products of units.
 #include "solver/scene/units.h"
 
+#include <cassert>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -129,6 +130,7 @@ std::span<const PracticalUnit> practicalUnits() { return practical; }
 bool sameKind(const Unit& a, const Unit& b) { return a.powers == b.powers; }
 
 double converted(double number, const Unit& from, const Unit& to) {
+    assert(sameKind(from, to));
     const double up = from.up * to.down, down = from.down * to.up;
     if (up == down) return number;
     // Multiplies or divides once by a whole number, so that no digits are lost.
