@@ -8,6 +8,7 @@
 #include "solver/scene/acceleration.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -194,9 +195,14 @@ bool StageLoads::keepsAcceleration() const {
 }
 
 void StageLoads::hold(const std::vector<WallForce>& walls) {
+    assert(stage().kind == StageKind::Static || stage().relaxation);
+    addWalls(walls, memory_.stage);
+}
+
+void StageLoads::addWalls(const std::vector<WallForce>& walls, int stage) {
     for (const WallForce& wall : walls) {
         memory_.loads.walls.push_back(wall);
-        memory_.wallStages.push_back(memory_.stage);
+        memory_.wallStages.push_back(stage);
         memory_.start.walls.push_back(1.0);
     }
 }
@@ -206,9 +212,7 @@ void StageLoads::quieten(const std::vector<Dashpot>& dashpots, const std::vector
     for (int stage : memory_.wallStages) drop.push_back(stage < 0);
     dropRows(drop, memory_.loads.walls, memory_.wallStages, memory_.start.walls);
     memory_.loads.dashpots = dashpots;
-    hold(kept);
-    for (std::size_t i = memory_.wallStages.size() - kept.size(); i < memory_.wallStages.size(); ++i)
-        memory_.wallStages[i] = -1;
+    addWalls(kept, -1);
 }
 
 /// Fraction of a wall's force that still acts at the end of the stage.
