@@ -4,6 +4,7 @@
 
 #include "solver/scene/lookup.h"
 
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -44,6 +45,7 @@ void addSupportEnergy(const Model& model, const State& state, StoredEnergy& ener
 }  // namespace
 
 void addSupports(const Scene& scene, Model& model) {
+    assert(model.firstOf.size() == scene.blocks.size() + 1);
     BoundaryCorners corners;
     for (const Support& support : scene.supports) {
         if (support.boundary) {

@@ -8,6 +8,7 @@
 #include "solver/scene/units.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -110,7 +111,9 @@ const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity) {
 }
 
 const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity) {
-    return *std::ranges::find(boltQuantityRows, quantity.name, &BoltQuantityRow::key);
+    const auto row = std::ranges::find(boltQuantityRows, quantity.name, &BoltQuantityRow::key);
+    assert(row != boltQuantityRows.end());
+    return *row;
 }
 
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity) {

@@ -9,6 +9,7 @@
 #include "solver/results/results.h"
 #include "solver/scene/scene.h"
 
+#include <cassert>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,7 +80,10 @@ public:
     std::vector<Event> events() const override { return results_.events; }
     std::vector<HistoryRow> history() const override { return results_.history; }
     const std::vector<FrameHead>& frames() const override { return heads_; }
-    Frame frame(std::size_t index) const override { return results_.frames.at(index); }
+    Frame frame(std::size_t index) const override {
+        assert(index < heads_.size());
+        return results_.frames.at(index);
+    }
 
 private:
     Scene scene_;

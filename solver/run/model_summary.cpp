@@ -11,6 +11,7 @@
 #include "solver/engine/setup/make_model.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 namespace {
@@ -48,6 +49,7 @@ ModelCounts countParts(const Model& model, const State& start) {
 }
 
 std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop) {
+    assert(!scene.blocks.empty());
     const Model model = makeModel(scene);
     if (stop && *stop) return std::nullopt;
     const State start = startWithAll(model);

@@ -6,6 +6,8 @@
 #include "solver/engine/setup/make_model.h"
 #include "solver/run/observation.h"
 
+#include <cassert>
+
 namespace keyblock {
 
 namespace {
@@ -17,6 +19,7 @@ bool isInTunnel(const Scene& scene, const BlockModel& block) {
 }  // namespace
 
 Frame previewFrame(const Scene& scene) {
+    assert(!scene.blocks.empty());
     const Model model = makeModel(scene);
     State state = makeState(model);
     placeBolts(model, state);

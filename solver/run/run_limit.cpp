@@ -4,9 +4,12 @@
 
 #include "solver/scene/number_text.h"
 
+#include <cassert>
+
 namespace keyblock {
 
 std::string RunLimit::message(long steps) const {
+    assert(reached(steps));
     const bool bySteps = stepsReached(steps);
     if (bySteps)
         return "the limit of " + shortest(*limits_.steps) + " steps was reached; raise 'limits.steps' to continue";

@@ -8,6 +8,7 @@
 #include "solver/scene/pointer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -116,6 +117,7 @@ Problem error(std::string pointer, std::string message, std::string remedy) {
 }  // namespace
 
 Scene withReducedStrength(const Scene& scene, double factor) {
+    assert(factor > 0.0);
     Scene reduced = scene;
     if (reducesJoints(scene)) reduceJoints(reduced, factor);
     if (reducesBonds(scene)) reduceBonds(reduced, factor);

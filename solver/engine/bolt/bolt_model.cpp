@@ -11,6 +11,7 @@
 #include "solver/scene/lookup.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -277,6 +278,7 @@ MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, 
 }  // namespace
 
 BoltModel boltModel(const Scene& scene, int index, const Model& model) {
+    assert(model.firstOf.size() == scene.blocks.size() + 1);
     const Bolt& bolt = scene.bolts[static_cast<std::size_t>(index)];
     const BoltType& type = boltTypeOf(scene, bolt);
     BoltModel b;

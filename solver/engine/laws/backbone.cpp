@@ -3,6 +3,7 @@
 #include "solver/engine/laws/backbone.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -29,6 +30,7 @@ Backbone Backbone::of(const std::vector<std::pair<double, double>>& curve, doubl
     Backbone b;
     std::size_t first = 0;
     while (first < curve.size() && curve[first].first <= 0.0) ++first;
+    assert(first > 0 && first < curve.size() && curve[first].second > 0.0);
     b.modulus = curve[first].second * forceScale / (curve[first].first * strainScale);
     b.plastic.push_back(0.0);
     b.force.push_back(curve[first].second * forceScale);

@@ -5,6 +5,7 @@
 #include "geometry/polygon.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -32,6 +33,7 @@ int endOfWhole(const Model& model, int first) {
 }
 
 double wholeArea(const Model& model, int first) {
+    assert(first == wholeOf(model, first));
     double area = 0.0;
     for (int row = first; row < endOfWhole(model, first); ++row) area += model.blocks[row].area;
     return area;

@@ -5,6 +5,7 @@
 #include "solver/engine/step/trial.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -189,6 +190,7 @@ Eigen::VectorXd StepMatrix::product(const StepProblem& problem, const LinkRows& 
 }
 
 Eigen::VectorXd StepMatrix::solve(const Eigen::VectorXd& force, StepWork& work) {
+    assert(current_);
     ++work.solves;
     for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = force[unknownOf_[i]];
     system_.solve(right_, left_);

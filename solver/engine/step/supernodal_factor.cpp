@@ -5,6 +5,7 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <cassert>
 
 extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
 
@@ -37,6 +38,7 @@ void SupernodalFactor::analyse(const cholmod_factor& factor) {
 }
 
 int SupernodalFactor::apply(const cholmod_sparse& matrix, cholmod_factor& factor) {
+    assert(factor.x);
     first_.assign(factor.nsuper, -1);
     for (std::size_t s = 0; s < factor.nsuper; ++s) {
         const Supernode node = supernode(factor, s);

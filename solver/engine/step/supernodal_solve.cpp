@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 namespace keyblock {
@@ -94,6 +95,7 @@ void backward(const Supernode& node, double* t) {
 }  // namespace
 
 void solveSupernodes(const cholmod_factor& factor, std::span<double> x, std::vector<double>& work) {
+    assert(factor.is_super);
     work.resize(factor.n);
     double* t = work.data();
     for (std::size_t s = 0; s < factor.nsuper; ++s) {

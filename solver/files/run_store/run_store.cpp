@@ -17,6 +17,8 @@
 
 #include <sqlite3.h>
 
+#include <cassert>
+
 namespace keyblock {
 
 namespace {
@@ -195,6 +197,7 @@ std::vector<HistoryRow> RunStore::history() const {
 }
 
 Frame RunStore::frame(std::size_t index) const {
+    assert(index < heads_.size());
     return guarded([&] { return frameAt(database_, frameKeys_.at(index), scene_, names_.size(), heads_.at(index)); });
 }
 
