@@ -10,6 +10,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 
@@ -45,7 +46,7 @@ Commands::Commands(const Themes& themes, QObject* parent) : QObject(parent), the
 }
 
 QAction* Commands::add(const CommandText& text, std::function<void()> run) {
-    Q_ASSERT(!has(text.id));
+    assert(!has(text.id));
     auto* action = new QAction(text.text, this);
     action->setObjectName(text.id);
     action->setCheckable(text.checkable);
@@ -67,7 +68,7 @@ QAction* Commands::add(const CommandText& text, std::function<void()> run) {
 
 QAction* Commands::action(const QString& id) const {
     const auto found = std::ranges::find_if(actions_, [&](QAction* a) { return a->objectName() == id; });
-    Q_ASSERT(found != actions_.end());
+    assert(found != actions_.end());
     return *found;
 }
 

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -21,7 +22,7 @@ const Structure& entriesOf(const char* list) { return findField(sceneStructure()
 ToolField rowField(const char* list, const char* key, void* object, const QString& label, std::function<void()> changed,
                    const QStringList& choices) {
     const Field* row = findField(entriesOf(list), key);
-    Q_ASSERT(row && row->get);
+    assert(row && row->get);
     ToolField field;
     field.id = textOf(key);
     field.label = label;
