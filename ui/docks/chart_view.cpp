@@ -17,6 +17,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -100,11 +101,13 @@ void ChartView::setRoom(const ChartLayout& layout) {
 }
 
 double ChartView::xOf(double value) const {
+    assert(isDrawn());
     const ValueRange& range = chart_->x;
     return pixelsPerMm * (place_.left + (place_.right - place_.left) * (value - range.low) / (range.high - range.low));
 }
 
 double ChartView::yOf(std::size_t panel, double value) const {
+    assert(isDrawn());
     const ValueRange& range = chart_->panels[panel].range;
     const ChartPlace::Panel& place = place_.panels[panel];
     return pixelsPerMm *

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace keyblock {
 
@@ -133,6 +134,7 @@ void addBond(const BoltReport& report, RowMaker& make) {
 
 ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, const std::vector<Event>& events,
                          const ShownNumbers& numbers) {
+    assert(0 <= bolt && bolt < static_cast<int>(frame.bolts.size()));
     const Scene& scene = run.scene();
     const Bolt& shown = scene.bolts[static_cast<std::size_t>(bolt)];
     const BoltReport report = boltReport(scene, frame, bolt, events);
@@ -155,6 +157,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
 
 ResultReport blockResults(const RunSource& run, const Frame& frame, int block, const std::vector<Event>& events,
                           const ShownNumbers& numbers) {
+    assert(0 <= block && block < static_cast<int>(frame.blocks.size()));
     static constexpr std::array quantities{"displacement", "ux", "uy",  "rotation", "velocity", "sigma1",
                                            "sigma3",       "sxx", "syy", "sxy",      "weight",   "area"};
     const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];

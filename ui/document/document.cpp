@@ -16,6 +16,7 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 
@@ -136,6 +137,7 @@ void Document::startNew(Scene scene, const QString& name, bool isWork) {
 
 void Document::restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                        const QString& path, const QString& name) {
+    assert(index < steps.size() && (!saved || *saved < steps.size()));
     undo_->clear();
     path_ = path;
     name_ = name;

@@ -8,6 +8,7 @@
 #include <QThread>
 
 #include <array>
+#include <cassert>
 #include <exception>
 #include <optional>
 
@@ -70,6 +71,7 @@ ExportJob::~ExportJob() {
 }
 
 void ExportJob::start(ExportOrder order) {
+    assert(!isBusy());
     stop_ = false;
     ended_ = false;
     busy_ = true;

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace keyblock {
@@ -36,6 +37,7 @@ Counts countsOf(const Scene& scene, const std::vector<std::string>& pointers) {
 }  // namespace
 
 SelectionTitle selectionTitle(const Scene& scene, const std::vector<std::string>& pointers) {
+    assert(pointers.size() >= 2);
     const Counts counts = countsOf(scene, pointers);
     if (counts.size() == 1)
         return {countedOf(*counts.front().first, counts.front().second), TitleTexts::tr("Edits apply to all of them")};

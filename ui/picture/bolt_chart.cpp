@@ -13,6 +13,7 @@
 #include "ui/picture/shown_numbers.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -165,6 +166,7 @@ public:
         : run_(run), index_(index), bolt_(bolt), frame_(run.frame(index)), known_(known), reach_(bolt) {}
 
     BoltChart build() {
+        assert(0 <= bolt_ && bolt_ < static_cast<int>(frame_.bolts.size()) && !now().nodes.empty());
         const Bolt& bolt = run_.scene().bolts[static_cast<std::size_t>(bolt_)];
         chart_.length = (bolt.head - bolt.farEnd).norm();
         chart_.title = titleText(bolt);

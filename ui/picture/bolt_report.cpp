@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace keyblock {
 
@@ -50,6 +51,7 @@ std::string_view wordOf(BoltCondition condition) { return conditionWords[static_
 
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events) {
     const auto row = static_cast<std::size_t>(bolt);
+    assert(bolt >= 0 && row < scene.bolts.size() && row < frame.bolts.size());
     const BoltFrame& state = frame.bolts[row];
     BoltReport report;
     report.use = boltUse(bolt, row < frame.extremes.size() ? frame.extremes[row] : BoltExtremes{});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -62,6 +63,7 @@ std::vector<AxisTick> stageTicks(const std::vector<StageSpan>& stages, double pe
 }
 
 StageMoment momentAt(const std::vector<StageSpan>& stages, double place) {
+    assert(!stages.empty());
     const auto found = std::find_if(stages.begin(), stages.end(), [&](const StageSpan& s) { return place <= s.to; });
     const StageSpan& span = found == stages.end() ? stages.back() : *found;
     const double room = span.to - span.from;

@@ -5,6 +5,7 @@
 #include "geometry/polygon.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 
@@ -19,6 +20,7 @@ std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved) {
 }
 
 std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<Point>& now, double factor) {
+    assert(before.size() == now.size());
     if (factor == 1.0) return now;
     std::vector<Point> drawn;
     drawn.reserve(now.size());

@@ -5,6 +5,7 @@
 #include "ui/picture/series_chart.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,7 @@ std::size_t rowOf(const Pin& pin) {
 
 Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, const FrameQuantity<BlockState>* ofBlock,
           const FrameQuantity<BoltNodeFrame>* ofBolt) {
+    assert(pick.kind == PickKind::Block ? ofBlock != nullptr : ofBolt != nullptr);
     Pin pin;
     if (pick.kind == PickKind::Block) {
         const BlockShape& block = picture.blocks[pick.shape];
@@ -89,6 +91,7 @@ std::optional<Point> placeOf(const Pin& pin, const SectionPicture& picture) {
 }
 
 Point placeBefore(const Pin& pin, const std::vector<std::vector<Point>>& before) {
+    assert(pin.block >= 0);
     return placeWithin(pin, before.at(static_cast<std::size_t>(pin.block))).value_or(Point(0.0, 0.0));
 }
 

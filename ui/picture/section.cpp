@@ -12,6 +12,7 @@
 #include "ui/picture/section_ranges.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -254,6 +255,7 @@ private:
 }  // namespace
 
 SectionPicture sectionPicture(const RunSource& run, const SectionRequest& request) {
+    assert(!request.frame || *request.frame < run.frames().size());
     return SectionBuilder(run, request).build();
 }
 

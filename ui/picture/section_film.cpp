@@ -5,6 +5,7 @@
 #include "ui/picture/section_ranges.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,6 +23,7 @@ bool isSame(const EventEntry& a, const EventEntry& b) {
 
 SectionFilm::SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames)
     : run_(run), request_(request), frames_(std::move(frames)), legends_(sectionLegends(run, request)) {
+    assert(!frames_.empty());
     numbered_ = eventList(run, eventsUntil(run.events(), run.frames()[frames_.back()]), request.mostEvents);
     request_.mostEvents = std::numeric_limits<std::size_t>::max();
     for (const std::size_t frame : frames_) settle(pictureOf(frame, request.ribbon, 0.0, request.window));

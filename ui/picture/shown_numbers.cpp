@@ -7,6 +7,7 @@
 #include "ui/picture/section.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -171,6 +172,7 @@ std::string lengthText(double length, const ShownNumbers& numbers) {
 }
 
 void showAs(SectionPicture& picture, const ShownNumbers& numbers) {
+    assert(picture.numbers == ShownNumbers());
     picture.numbers = numbers;
     if (picture.blockLegend) {
         const double factor = turn(*picture.blockLegend, numbers);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
@@ -35,11 +36,18 @@ bool hasNoWidth(const ValueRange& range) {
 
 }  // namespace
 
-double roundStep(double least) { return firstNotBelow(least, {1.0, 2.0, 2.5, 5.0}); }
+double roundStep(double least) {
+    assert(least > 0.0);
+    return firstNotBelow(least, {1.0, 2.0, 2.5, 5.0});
+}
 
-double roundHalvable(double least) { return firstNotBelow(least, {1.0, 2.0, 5.0}); }
+double roundHalvable(double least) {
+    assert(least > 0.0);
+    return firstNotBelow(least, {1.0, 2.0, 5.0});
+}
 
 Ticks roundTicks(const ValueRange& range, int most) {
+    assert(range.low < range.high && most >= 2);
     const double width = range.high - range.low;
     double step = roundStep(width / most);
     const auto count = [&](double s) {

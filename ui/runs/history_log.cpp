@@ -7,6 +7,7 @@
 #include "ui/runs/history_log.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 
@@ -32,6 +33,7 @@ void HistoryLog::append(std::vector<HistoryRow> rows) {
 }
 
 const HistoryRow& HistoryLog::operator[](std::size_t row) const {
+    assert(row < size_);
     const Chunk& chunk = *(std::ranges::upper_bound(chunks_, row, {}, &Chunk::first) - 1);
     return (*chunk.rows)[row - chunk.first];
 }

@@ -6,6 +6,7 @@
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 
@@ -95,6 +96,7 @@ Moment::Moment(std::shared_ptr<const LiveRun> run, std::size_t index)
 
 Moment::Moment(std::shared_ptr<const LiveRun> run)
     : run_(std::move(run)), stages_(run_->stages()), events_(run_->sharedEvents()), frame_(run_->newest().frame) {
+    assert(frame_);
     heads_ = {headOf(*frame_)};
 }
 

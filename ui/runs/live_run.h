@@ -10,6 +10,7 @@
 #include "ui/runs/history_log.h"
 #include "ui/runs/live_feed.h"
 
+#include <cassert>
 #include <cstddef>
 #include <filesystem>
 #include <list>
@@ -99,7 +100,10 @@ public:
     std::vector<Event> events() const override { return *events_; }
     std::vector<HistoryRow> history() const override { return {}; }
     const std::vector<FrameHead>& frames() const override { return heads_; }  // of this frame
-    Frame frame(std::size_t) const override { return *sharedFrame(); }
+    Frame frame([[maybe_unused]] std::size_t index) const override {
+        assert(index < heads_.size());
+        return *sharedFrame();
+    }
 
     std::shared_ptr<const Frame> sharedFrame() const;
 
@@ -124,7 +128,10 @@ public:
     std::vector<Event> events() const override { return *events_; }
     std::vector<HistoryRow> history() const override { return history_.all(); }
     const std::vector<FrameHead>& frames() const override { return heads_; }
-    Frame frame(std::size_t index) const override { return *run_->sharedFrame(index); }
+    Frame frame(std::size_t index) const override {
+        assert(index < heads_.size());
+        return *run_->sharedFrame(index);
+    }
 
 private:
     std::shared_ptr<const LiveRun> run_;  // for data that do not change, and to load frames

@@ -3,6 +3,7 @@
 #include "ui/runs/time_axis.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace keyblock {
 
@@ -35,6 +36,7 @@ double TimeAxis::at(int stage, double time) const {
 }
 
 TimeAxis::Moment TimeAxis::momentAt(double place) const {
+    assert(!isEmpty());
     const auto found = std::find_if(spans_.begin(), spans_.end(), [&](const Span& span) { return place < span.to; });
     const Span& span = found == spans_.end() ? spans_.back() : *found;
     const double share = std::clamp((place - span.from) / (span.to - span.from), 0.0, 1.0);

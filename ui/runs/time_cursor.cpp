@@ -6,6 +6,7 @@
 #include "ui/runs/live_run.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -78,6 +79,7 @@ std::optional<std::size_t> TimeCursor::storedFrame() const {
 }
 
 FrameHead TimeCursor::head() const {
+    assert(hasMoment());
     if (live_ && run_->newest().frame) {
         const Frame& newest = *run_->newest().frame;
         return {newest.stage, newest.time, newest.step, newest.energy};

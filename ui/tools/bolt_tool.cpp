@@ -7,6 +7,8 @@
 #include "ui/tools/choices.h"
 #include "ui/tools/tool_painter.h"
 
+#include <cassert>
+
 namespace keyblock {
 namespace {
 
@@ -71,7 +73,10 @@ void BoltTool::press(const Pointed& at) {
     wall_.reset();
 }
 
-Point BoltTool::squareEnd() const { return headWall_->place + length_ * headWall_->inward; }
+Point BoltTool::squareEnd() const {
+    assert(headWall_);
+    return headWall_->place + length_ * headWall_->inward;
+}
 
 bool BoltTool::enter() { return head_ && headWall_ && place(*head_, squareEnd()); }
 

@@ -13,6 +13,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <variant>
 
@@ -26,7 +27,10 @@ constexpr double mostBolts = 1000.0;
 
 }  // namespace
 
-const SceneTunnel& PatternTool::tunnel() const { return scene().tunnels[static_cast<std::size_t>(from_->tunnel)]; }
+const SceneTunnel& PatternTool::tunnel() const {
+    assert(from_);
+    return scene().tunnels[static_cast<std::size_t>(from_->tunnel)];
+}
 
 QString PatternTool::prompt() const {
     if (scene().tunnels.empty()) return tr("draw a tunnel first");

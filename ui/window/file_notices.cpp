@@ -14,6 +14,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <cassert>
+
 namespace keyblock {
 
 namespace {
@@ -48,6 +50,7 @@ void tellChanged(NoticeBar& bar, Document& document, const QString& path) {
 }  // namespace
 
 void addFileNotices(QMainWindow& window, Document& document, const Themes& themes) {
+    assert(window.centralWidget());
     addReadingReport(window, document, themes);
     auto* bar = new NoticeBar(themes, window.centralWidget());
     auto* watch = new FileWatch(document, &window);

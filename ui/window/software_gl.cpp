@@ -3,13 +3,16 @@
 #include "ui/window/software_gl.h"
 
 #include <QByteArray>
+#include <QCoreApplication>
 
 #include <algorithm>
+#include <cassert>
 #include <thread>
 
 namespace keyblock {
 
 void leaveProcessorsToRuns() {
+    assert(!QCoreApplication::instance());
     if (qEnvironmentVariableIsSet("LP_NUM_THREADS")) return;
     // Keeps one processor each for the window's thread and the run's. Without threads of its own, Mesa draws on the
     // window's thread.
