@@ -16,6 +16,7 @@
 #endif
 
 #include <atomic>
+#include <cassert>
 
 namespace keyblock::cli {
 
@@ -132,6 +133,7 @@ void writeFolder(const RunSource& run, const Animation& animation, const fs::pat
 }  // namespace
 
 ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
+    assert(options.animation);
     std::atomic<bool> stop{false};
     const StopSignals signals(stop);
     try {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace keyblock::cli {
 
@@ -77,6 +78,7 @@ bool readReferences(const ExportOptions& options, FigureRequest& request) {
 }  // namespace
 
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
+    assert(options.figure);
     FigureRequest request;
     request.kind = static_cast<FigureKind>(kindOf(options));
     request.format = static_cast<PaperFormat>(formatOf(options));

@@ -13,6 +13,7 @@
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -82,7 +83,9 @@ ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, st
       kind_(kind),
       label_(std::move(label)),
       runStart_(Clock::now()),
-      stageStart_(runStart_) {}
+      stageStart_(runStart_) {
+    assert(kind != ProgressKind::Automatic);
+}
 
 void ProgressSink::begin(const Scene& scene, const HistoryColumns& columns) {
     runStart_ = Clock::now();

@@ -7,6 +7,8 @@
 
 #include <signal.h>
 
+#include <cassert>
+
 namespace keyblock::cli {
 
 namespace {
@@ -27,6 +29,7 @@ extern "C" void askToStop(int signal) {
 }  // namespace
 
 StopSignals::StopSignals(std::atomic<bool>& stop) {
+    assert(!stopFlag.load());
     stopFlag = &stop;
     struct sigaction action {};
     action.sa_handler = askToStop;
