@@ -7,7 +7,7 @@
 // cells, whose strain is constant (theory, "Sub-blocks").
 #pragma once
 
-#include "geometry/sub_blocks.h"
+#include "geometry/cells/sub_blocks.h"
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {

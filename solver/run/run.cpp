@@ -29,7 +29,7 @@
 #include "solver/run/stage_settings.h"
 #include "solver/scene/collapse_stage.h"
 #include "solver/scene/number_text.h"
-#include "solver/scene/activation.h"
+#include "solver/scene/stage_objects.h"
 
 #include <tbb/global_control.h>
 

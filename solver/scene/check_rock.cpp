@@ -10,7 +10,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
-#include "solver/scene/activation.h"
+#include "solver/scene/stage_objects.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>

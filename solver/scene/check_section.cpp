@@ -5,9 +5,9 @@
 // numbers of traces, cells and crossings are estimated before anything is
 // generated. The geometry module says what is wrong with a shape; this file
 // adds where.
+#include "geometry/cells/voronoi.h"
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
-#include "geometry/voronoi.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"

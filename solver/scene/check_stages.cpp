@@ -5,7 +5,7 @@
 // no block has two motions, and that time increases.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
-#include "geometry/sub_blocks.h"
+#include "geometry/cells/sub_blocks.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/collapse_stage.h"
 #include "solver/scene/deciding.h"

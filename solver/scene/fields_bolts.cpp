@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Field table of bolts, their types, anchors and plates.
-#include "geometry/bolt_pattern.h"
+#include "geometry/shape/bolt_pattern.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/field_rows.h"

@@ -3,7 +3,7 @@
 //
 // Field table of the section: the domain and everything that cuts it into
 // blocks.
-#include "geometry/joint_set.h"
+#include "geometry/shape/joint_set.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 #include "solver/scene/scene_cut.h"

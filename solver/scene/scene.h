@@ -10,7 +10,7 @@
 #pragma once
 
 #include "geometry/point.h"
-#include "geometry/tunnel_profile.h"
+#include "geometry/shape/tunnel_profile.h"
 #include "solver/scene/anchor_laws.h"
 #include "solver/scene/bolt_quantities.h"
 
@@ -160,7 +160,7 @@ struct SceneJoint {
     bool operator==(const SceneJoint&) const = default;
 };
 
-/// A joint set; geometry/joint_set.h generates its traces.
+/// A joint set; geometry/shape/joint_set.h generates its traces.
 struct SceneJointSet {
     std::string name;
     double dip = 0.0;  // [°] counter-clockwise from +x
@@ -453,7 +453,7 @@ struct Bolt {
     bool operator==(const Bolt&) const = default;
 };
 
-/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/bolt_pattern.h. The bolts of a pattern named
+/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/shape/bolt_pattern.h. The bolts of a pattern named
 /// P are called P.1, P.2, …
 struct ScenePattern {
     std::string name;

@@ -7,7 +7,7 @@
 // alike. It is done once before a scene is checked, run or its results are read.
 #pragma once
 
-#include "geometry/cut.h"
+#include "geometry/cut/cut.h"
 #include "solver/scene/scene.h"
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace keyblock {
 /// Result of cutting a scene.
 struct SceneCut {
     /// The scene with the cut blocks and the bolts of patterns appended to its own blocks and bolts, without domain,
-    /// joints, joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they
+    /// joints, joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut/cut.h and have no names, so they
     /// are displayed as `b` followed by their number among all blocks. Tunnels and patterns remain, since blocks and
     /// bolts refer to them.
     Scene scene;

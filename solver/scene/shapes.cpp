@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/scene/shapes.h"
 
+#include "geometry/cells/voronoi.h"
 #include "geometry/polygon.h"
-#include "geometry/voronoi.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>

@@ -5,10 +5,10 @@
 // the cut both use these functions, so that they always work on the same shapes.
 #pragma once
 
-#include "geometry/bolt_pattern.h"
-#include "geometry/cut.h"
-#include "geometry/joint_set.h"
-#include "geometry/tunnel_profile.h"
+#include "geometry/cut/cut.h"
+#include "geometry/shape/bolt_pattern.h"
+#include "geometry/shape/joint_set.h"
+#include "geometry/shape/tunnel_profile.h"
 #include "solver/scene/scene.h"
 
 #include <string>

@@ -6,7 +6,7 @@
 // modelled as blocks. The rows of a frame and all block indices in results refer to it.
 #pragma once
 
-#include "geometry/sub_blocks.h"
+#include "geometry/cells/sub_blocks.h"
 #include "solver/scene/scene.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 // What the whole way from 5,000 traces to finished blocks costs beside the bare
 // insertion of the same segments into CGAL's arrangement, which no exact cut can
 // do without. `ratio` is the one over the other, each the median of the same runs.
-#include "geometry/cut.h"
+#include "geometry/cut/cut.h"
 #include "geometry/polygon.h"
 
 #include <CGAL/Arr_segment_traits_2.h>

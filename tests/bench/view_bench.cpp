@@ -3,7 +3,7 @@
 //
 // What a frame of a run costs on the screen: blocks that move a little and change
 // their colours, 1600 × 1000 pixels. Takes a display (`xvfb-run` gives one).
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 #include "ui/view/section_view.h"
 
 #include <benchmark/benchmark.h>

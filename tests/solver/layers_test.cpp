@@ -38,7 +38,33 @@ std::vector<std::string> belowCarriers(std::vector<std::string> carriers = {}) {
     return carriers;
 }
 
+/// The files beside the folders of the geometry.
+const std::vector<std::string> geometryBase{"geometry/angle",       "geometry/clip",   "geometry/grid",
+                                            "geometry/orientation", "geometry/point",  "geometry/point_set",
+                                            "geometry/polygon",     "geometry/random", "geometry/segment"};
+
+/// What every panel may include, and the folders of panels that one of them uses.
+std::vector<std::string> belowPanels(std::vector<std::string> panels = {}) {
+    for (const char* below :
+         {"ui/panels/filter_line", "ui/panels/calm_box", "ui/document", "ui/look", "ui/edit", "ui/figure", "ui/picture",
+          "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"})
+        panels.push_back(below);
+    return panels;
+}
+
+/// What the contents of pictures may include, and more where one folder of them uses another.
+std::vector<std::string> belowPictures(std::vector<std::string> pictures = {}) {
+    for (const char* below : {"ui/picture/captions", "ui/picture/chart", "ui/picture/colour", "ui/picture/event_list",
+                              "ui/picture/run_time", "ui/picture/scale_choice", "ui/picture/ticks", "solver/results",
+                              "solver/scene", "geometry"})
+        pictures.push_back(below);
+    return pictures;
+}
+
 const std::vector<Room> rooms{
+    {"geometry/cut", geometryBase},
+    {"geometry/cells", geometryBase},
+    {"geometry/shape", geometryBase},
     {"geometry", {}},
     {"solver/scene", {"geometry"}},
     {"solver/results", {"solver/scene", "geometry"}},
@@ -47,8 +73,7 @@ const std::vector<Room> rooms{
     {"solver/engine/step", {"solver/engine/laws", "solver/engine/vector6", "solver/results/step_work"}},
     {"solver/engine/model",
      {"solver/engine/laws", "solver/engine/vector6", "solver/results", "solver/scene", "geometry"}},
-    {"solver/engine/time",
-     {"solver/engine/model", "solver/engine/step", "solver/engine/laws", "solver/scene"}},
+    {"solver/engine/time", {"solver/engine/model", "solver/engine/step", "solver/engine/laws", "solver/scene"}},
     {"solver/engine/carrier",
      {"solver/engine/time", "solver/engine/model", "solver/engine/step", "solver/engine/laws"}},
     {"solver/engine/contact", belowCarriers()},
@@ -59,16 +84,15 @@ const std::vector<Room> rooms{
     {"solver/engine/boundary", belowCarriers({"solver/engine/support"})},
     {"solver/engine/setup",
      belowCarriers({"solver/engine/contact", "solver/engine/glue", "solver/engine/support", "solver/engine/bolt"})},
-    {"solver/engine/stage",
-     belowCarriers({"solver/engine/contact", "solver/engine/glue", "solver/engine/support", "solver/engine/bolt",
-                    "solver/engine/damping", "solver/engine/boundary"})},
+    {"solver/engine/stage", belowCarriers({"solver/engine/contact", "solver/engine/glue", "solver/engine/support",
+                                           "solver/engine/bolt", "solver/engine/damping", "solver/engine/boundary"})},
     {"solver/engine", {}},  // all of them, for the rooms above; no file lies beside them
     {"solver/run", {"solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/files/json", {"solver/scene"}},
     {"solver/files/csv", {"solver/files/text_encoding", "solver/scene"}},
     {"solver/files/scene",
-     {"solver/files/json", "solver/files/csv", "solver/files/atomic_file", "solver/files/read_error", "solver/files/sha256",
-      "solver/engine", "solver/results", "solver/scene", "geometry"}},
+     {"solver/files/json", "solver/files/csv", "solver/files/atomic_file", "solver/files/read_error",
+      "solver/files/sha256", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/files/drawing",
      {"solver/files/scene", "solver/files/csv", "solver/files/read_error", "solver/files/text_encoding", "solver/scene",
       "geometry"}},
@@ -79,8 +103,9 @@ const std::vector<Room> rooms{
      {"solver/files/run_store", "solver/files/atomic_file", "solver/files/part_folder", "solver/run", "solver/results",
       "solver/scene", "geometry"}},
     {"solver/files", {"solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
-    {"solver/verify",
-     {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/verify", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"ui/picture/section", belowPictures()},
+    {"ui/picture/charts", belowPictures({"ui/picture/section"})},
     {"ui/picture", {"solver/results", "solver/scene", "geometry"}},
     {"ui/figure", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/edit", {"solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
@@ -88,26 +113,38 @@ const std::vector<Room> rooms{
     {"ui/look", {"ui/picture", "solver/scene"}},
     {"ui/document",
      {"ui/look", "ui/edit", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
-    {"ui/canvas",
-     {"ui/look", "ui/view", "ui/figure", "ui/picture", "solver/results", "solver/scene", "geometry"}},
+    {"ui/canvas", {"ui/look", "ui/view", "ui/figure", "ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/tools",
      {"ui/canvas", "ui/document", "ui/look", "ui/edit", "ui/picture", "solver/files", "solver/scene", "geometry"}},
-    {"ui/panels",
-     {"ui/document", "ui/look", "ui/edit", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+    {"ui/panels/fields", belowPanels()},
+    {"ui/panels/editors", belowPanels({"ui/panels/fields"})},
+    {"ui/panels/properties", belowPanels({"ui/panels/editors", "ui/panels/fields"})},
+    {"ui/panels/tree", belowPanels({"ui/panels/fields"})},
+    {"ui/panels/problems", belowPanels({"ui/panels/fields"})},
+    {"ui/panels/stages", belowPanels({"ui/panels/editors", "ui/panels/fields"})},
+    {"ui/panels/library", belowPanels({"ui/panels/editors", "ui/panels/fields"})},
+    {"ui/panels/summary", belowPanels()},
+    {"ui/panels", belowPanels()},
     {"ui/runs",
-     {"ui/document", "ui/look", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/document", "ui/look", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene",
+      "geometry"}},
     {"ui/docks",
-     {"ui/runs", "ui/canvas", "ui/document", "ui/look", "ui/edit", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/runs", "ui/canvas", "ui/document", "ui/look", "ui/edit", "ui/figure", "ui/picture", "solver/files",
+      "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/start",
      {"ui/runs", "ui/document", "ui/look", "ui/edit", "ui/picture", "solver/files", "solver/scene", "geometry"}},
     {"ui/export",
-     {"ui/runs", "ui/document", "ui/look", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/runs", "ui/document", "ui/look", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results",
+      "solver/scene", "geometry"}},
     {"ui/help", {"ui/look", "solver/scene"}},
     {"ui/window",
-     {"ui/start", "ui/export", "ui/help", "ui/docks", "ui/runs", "ui/panels", "ui/tools", "ui/canvas", "ui/document", "ui/look", "ui/view", "ui/edit", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/start", "ui/export", "ui/help", "ui/docks", "ui/runs", "ui/panels", "ui/tools", "ui/canvas", "ui/document",
+      "ui/look", "ui/view", "ui/edit", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results",
+      "solver/scene", "geometry"}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/figure", "ui/picture", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+     {"ui/figure", "ui/picture", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results",
+      "solver/scene", "geometry"}},
 };
 
 bool liesIn(const std::string& path, const std::string& folder) {
@@ -239,7 +276,8 @@ TEST(Layers, AFileInNoRoomIsCaught) { EXPECT_EQ(faultsOf("solver/stray.cpp", "")
 
 TEST(Layers, WhatFallsMayStand) {
     EXPECT_TRUE(faultsOf("app/cli/made_up.cpp", "#include \"solver/run/run.h\"\n#include <vector>\n").empty());
-    EXPECT_TRUE(faultsOf("ui/figure/made_up.cpp", "#include <QPainter>\n#include \"ui/picture/marks.h\"\n").empty());
+    EXPECT_TRUE(
+        faultsOf("ui/figure/made_up.cpp", "#include <QPainter>\n#include \"ui/picture/section/marks.h\"\n").empty());
     EXPECT_TRUE(faultsOf("solver/engine/model/made_up.h", "#include \"solver/engine/laws/beam.h\"\n").empty());
     EXPECT_TRUE(faultsOf("geometry/made_up.cpp", "#include <CGAL/Arrangement_2.h>\n// #include <QObject>\n").empty());
 }

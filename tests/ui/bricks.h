@@ -7,7 +7,7 @@
 
 #include "solver/results/frame_quantities.h"
 #include "solver/results/run_source.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <cmath>
 #include <string>

@@ -11,7 +11,7 @@
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/highlighted_block.h"
 #include "ui/canvas/legend_panel.h"
-#include "ui/picture/pick.h"
+#include "ui/picture/section/pick.h"
 #include "ui/view/view_colours.h"
 
 #include <QString>

@@ -6,7 +6,7 @@
 #include "ui/canvas/view_theme.h"
 #include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
-#include "ui/picture/tick_labels.h"
+#include "ui/picture/section/tick_labels.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -5,7 +5,7 @@
 // range of the current frame, and sign convention.
 #pragma once
 
-#include "ui/picture/legend.h"
+#include "ui/picture/section/legend.h"
 
 #include <QPointF>
 

@@ -5,7 +5,7 @@
 // omitted.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <QPointF>
 

@@ -5,7 +5,7 @@
 // first, then steel and face plates.
 #pragma once
 
-#include "ui/picture/marks.h"
+#include "ui/picture/section/marks.h"
 
 #include <QPointF>
 

@@ -7,7 +7,7 @@
 // comparison on a small screen, only shows the colour bars, at the bottom right.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <QMarginsF>
 #include <QRectF>

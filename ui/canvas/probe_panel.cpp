@@ -5,7 +5,7 @@
 #include "ui/canvas/call_out.h"
 #include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
-#include "ui/picture/probe.h"
+#include "ui/picture/section/probe.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
-#include "ui/picture/pins.h"
-#include "ui/picture/probe.h"
+#include "ui/picture/charts/pins.h"
+#include "ui/picture/section/probe.h"
 
 #include <QObject>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "ui/figure/mark_theme.h"
-#include "ui/picture/marks.h"
+#include "ui/picture/section/marks.h"
 
 #include <QPointF>
 

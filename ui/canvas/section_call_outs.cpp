@@ -7,7 +7,7 @@
 #include "ui/canvas/section_painter.h"
 #include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
-#include "ui/picture/detail.h"
+#include "ui/picture/section/detail.h"
 #include "ui/picture/ticks.h"
 #include "ui/view/screen_sizes.h"
 

@@ -5,7 +5,7 @@
 #include "ui/canvas/scale_bar.h"
 #include "ui/canvas/screen_marks.h"
 #include "ui/look/theme.h"
-#include "ui/picture/detail.h"
+#include "ui/picture/section/detail.h"
 #include "ui/view/screen_sizes.h"
 
 #include <QFontMetricsF>

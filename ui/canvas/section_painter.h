@@ -10,9 +10,9 @@
 #include "ui/canvas/canvas_map.h"
 #include "ui/canvas/highlighted_block.h"
 #include "ui/canvas/legend_panel.h"
-#include "ui/picture/placement.h"
-#include "ui/picture/ribbon_shape.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/placement.h"
+#include "ui/picture/section/ribbon_shape.h"
+#include "ui/picture/section/section.h"
 
 #include <QRectF>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/axis_choice.h"
 
-#include "ui/picture/history_series.h"
+#include "ui/picture/charts/history_series.h"
 
 #include <QComboBox>
 #include <QCompleter>

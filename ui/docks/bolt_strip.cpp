@@ -9,7 +9,7 @@
 #include "ui/look/display.h"
 #include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/section/shown_numbers.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"

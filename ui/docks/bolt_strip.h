@@ -7,7 +7,7 @@
 #pragma once
 
 #include "ui/document/background.h"
-#include "ui/picture/bolt_chart.h"
+#include "ui/picture/charts/bolt_chart.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/curve_entries.h"
 
-#include "ui/picture/history_charts.h"
-#include "ui/picture/history_series.h"
-#include "ui/picture/series_chart.h"
+#include "ui/picture/charts/history_charts.h"
+#include "ui/picture/charts/history_series.h"
+#include "ui/picture/charts/series_chart.h"
 
 #include <QCoreApplication>
 

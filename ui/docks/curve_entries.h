@@ -6,7 +6,7 @@
 #pragma once
 
 #include "solver/results/run_source.h"
-#include "ui/picture/pins.h"
+#include "ui/picture/charts/pins.h"
 #include "ui/picture/run_time.h"
 
 #include <QString>

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "solver/results/results.h"
-#include "ui/picture/bolt_report.h"
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/charts/bolt_report.h"
+#include "ui/picture/section/shown_numbers.h"
 
 #include <QString>
 

@@ -6,8 +6,8 @@
 // Every change takes effect at once.
 #pragma once
 
-#include "ui/picture/legend.h"
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/section/legend.h"
+#include "ui/picture/section/shown_numbers.h"
 
 #include <QFrame>
 

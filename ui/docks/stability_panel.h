@@ -9,7 +9,7 @@
 #include "solver/results/bolt_use.h"
 #include "solver/results/verdict.h"
 #include "ui/document/background.h"
-#include "ui/picture/bolt_report.h"
+#include "ui/picture/charts/bolt_report.h"
 
 #include <QWidget>
 

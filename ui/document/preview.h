@@ -5,7 +5,7 @@
 // and bolts with their bonded nodes.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 namespace keyblock {
 

@@ -3,7 +3,7 @@
 #include "ui/document/visible_picture.h"
 
 #include "ui/document/visibility.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <algorithm>
 

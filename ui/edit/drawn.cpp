@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/drawn.h"
 
-#include "geometry/joint_set.h"
+#include "geometry/shape/joint_set.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/appended.h"

@@ -8,7 +8,7 @@
 #include "solver/scene/shapes.h"
 #include "ui/edit/locate.h"
 #include "ui/edit/values.h"
-#include "ui/edit/wall.h"
+#include "ui/edit/wall_at.h"
 
 #include <algorithm>
 #include <cmath>

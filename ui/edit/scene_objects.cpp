@@ -3,8 +3,8 @@
 #include "ui/edit/scene_objects.h"
 
 #include "geometry/angle.h"
+#include "geometry/cells/voronoi.h"
 #include "geometry/polygon.h"
-#include "geometry/voronoi.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/shapes.h"

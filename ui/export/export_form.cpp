@@ -4,8 +4,8 @@
 
 #include "solver/files/movie_file.h"
 #include "solver/results/frame_quantities.h"
-#include "ui/picture/arrows.h"
-#include "ui/picture/contact_lines.h"
+#include "ui/picture/section/arrows.h"
+#include "ui/picture/section/contact_lines.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -15,7 +15,7 @@
 #include "ui/figure/section_figure.h"
 #include "ui/figure/section_layout.h"
 #include "ui/figure/sheet.h"
-#include "ui/picture/section_film.h"
+#include "ui/picture/section/section_film.h"
 
 #include <qcustomplot.h>
 

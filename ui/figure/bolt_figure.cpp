@@ -9,7 +9,7 @@
 #include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
-#include "ui/picture/bolt_chart.h"
+#include "ui/picture/charts/bolt_chart.h"
 
 #include <qcustomplot.h>
 

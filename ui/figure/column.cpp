@@ -6,8 +6,8 @@
 #include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/picture/captions.h"
-#include "ui/picture/shown_numbers.h"
-#include "ui/picture/tick_labels.h"
+#include "ui/picture/section/shown_numbers.h"
+#include "ui/picture/section/tick_labels.h"
 
 #include <QLinearGradient>
 #include <QPainter>

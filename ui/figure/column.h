@@ -7,11 +7,11 @@
 #pragma once
 
 #include "ui/figure/ink.h"
-#include "ui/picture/arrows.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
-#include "ui/picture/legend.h"
-#include "ui/picture/marks.h"
+#include "ui/picture/section/arrows.h"
+#include "ui/picture/section/legend.h"
+#include "ui/picture/section/marks.h"
 
 #include <functional>
 #include <vector>

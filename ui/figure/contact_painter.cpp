@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/contact_painter.h"
 
-#include "ui/picture/clip_to_box.h"
+#include "ui/picture/section/clip_to_box.h"
 #include "ui/picture/ticks.h"
 
 namespace keyblock {

@@ -8,7 +8,7 @@
 
 #include "ui/figure/column.h"
 #include "ui/figure/ink.h"
-#include "ui/picture/contact_lines.h"
+#include "ui/picture/section/contact_lines.h"
 
 namespace keyblock {
 

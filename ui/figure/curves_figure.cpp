@@ -8,7 +8,7 @@
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/captions.h"
-#include "ui/picture/history_charts.h"
+#include "ui/picture/charts/history_charts.h"
 #include "ui/picture/run_time.h"
 
 #include <qcustomplot.h>

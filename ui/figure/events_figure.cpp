@@ -14,7 +14,7 @@
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/run_time.h"
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/section/shown_numbers.h"
 #include "ui/picture/ticks.h"
 
 #include <qcustomplot.h>

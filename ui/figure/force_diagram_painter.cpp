@@ -4,7 +4,7 @@
 // The force diagram of a section: the values of one bolt, drawn next to the bolt
 // together with their limit.
 #include "ui/figure/map_painter.h"
-#include "ui/picture/ribbon_shape.h"
+#include "ui/picture/section/ribbon_shape.h"
 
 #include <algorithm>
 

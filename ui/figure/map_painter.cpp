@@ -6,9 +6,9 @@
 #include "ui/figure/column.h"
 #include "ui/figure/contact_painter.h"
 #include "ui/figure/mark_painter.h"
-#include "ui/picture/clip_to_box.h"
-#include "ui/picture/detail.h"
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/section/clip_to_box.h"
+#include "ui/picture/section/detail.h"
+#include "ui/picture/section/shown_numbers.h"
 
 #include <algorithm>
 #include <cmath>

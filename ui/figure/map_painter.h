@@ -6,9 +6,9 @@
 #pragma once
 
 #include "ui/figure/ink.h"
-#include "ui/picture/detail.h"
-#include "ui/picture/placement.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/detail.h"
+#include "ui/picture/section/placement.h"
+#include "ui/picture/section/section.h"
 
 #include <vector>
 

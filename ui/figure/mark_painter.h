@@ -8,7 +8,7 @@
 
 #include "ui/figure/ink.h"
 #include "ui/figure/mark_theme.h"
-#include "ui/picture/marks.h"
+#include "ui/picture/section/marks.h"
 
 namespace keyblock {
 

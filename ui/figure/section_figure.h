@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ui/figure/figure.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 namespace keyblock {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "ui/figure/column.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <array>
 #include <optional>

@@ -5,7 +5,7 @@
 // document always uses SI units and tension positive.
 #pragma once
 
-#include "ui/picture/shown_numbers.h"
+#include "ui/picture/section/shown_numbers.h"
 
 #include <QObject>
 #include <QString>

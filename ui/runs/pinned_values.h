@@ -7,7 +7,7 @@
 #pragma once
 
 #include "ui/document/background.h"
-#include "ui/picture/pins.h"
+#include "ui/picture/charts/pins.h"
 
 #include <QObject>
 

@@ -3,8 +3,8 @@
 #include "ui/runs/section_feed.h"
 
 #include "ui/look/display.h"
-#include "ui/picture/bolt_chart.h"
-#include "ui/picture/section_ranges.h"
+#include "ui/picture/charts/bolt_chart.h"
+#include "ui/picture/section/section_ranges.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "ui/document/background.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <QObject>
 

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "solver/results/frame_quantities.h"
-#include "ui/picture/arrows.h"
 #include "ui/picture/scale_choice.h"
+#include "ui/picture/section/arrows.h"
 
 #include <QObject>
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "solver/files/drawing/section_import.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <memory>
 #include <optional>

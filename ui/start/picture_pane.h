@@ -4,7 +4,7 @@
 // A widget filled with the drawing of a section.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 
 #include <QWidget>
 

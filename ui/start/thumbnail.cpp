@@ -4,8 +4,8 @@
 
 #include "ui/look/theme.h"
 #include "ui/picture/colour.h"
-#include "ui/picture/marks.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/marks.h"
+#include "ui/picture/section/section.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -5,7 +5,7 @@
 // perpendicular to it; elsewhere the user picks the head and the far end.
 #pragma once
 
-#include "ui/edit/wall.h"
+#include "ui/edit/wall_at.h"
 #include "ui/tools/tool.h"
 
 namespace keyblock {

@@ -3,7 +3,7 @@
 #include "ui/tools/joint_set_tool.h"
 
 #include "geometry/angle.h"
-#include "geometry/joint_set.h"
+#include "geometry/shape/joint_set.h"
 #include "solver/scene/shapes.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/selection.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/pattern_tool.h"
 
-#include "geometry/bolt_pattern.h"
+#include "geometry/shape/bolt_pattern.h"
 #include "solver/scene/shapes.h"
 #include "ui/canvas/canvas.h"
 #include "ui/edit/anchor_edit.h"

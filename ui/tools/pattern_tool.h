@@ -5,7 +5,7 @@
 // sees a preview of the bolts at their spacing until they are placed.
 #pragma once
 
-#include "ui/edit/wall.h"
+#include "ui/edit/wall_at.h"
 #include "ui/tools/pattern_fit.h"
 #include "ui/tools/tool.h"
 

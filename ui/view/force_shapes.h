@@ -5,7 +5,7 @@
 // pixels, so they are rebuilt when the view is zoomed.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 #include "ui/view/layer.h"
 #include "ui/view/view_colours.h"
 

@@ -4,7 +4,7 @@
 // Sizes of the parts of a section on the screen, in device-independent pixels.
 #pragma once
 
-#include "ui/picture/detail.h"
+#include "ui/picture/section/detail.h"
 
 namespace keyblock {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/section_shapes.h"
 
-#include "geometry/convex_pieces.h"
+#include "geometry/cells/convex_pieces.h"
 
 #include <algorithm>
 #include <cmath>

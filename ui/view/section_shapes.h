@@ -5,7 +5,7 @@
 // are relative to an origin nearby, because the GPU uses single precision.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 #include "ui/view/layer.h"
 #include "ui/view/view_colours.h"
 

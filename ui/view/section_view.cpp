@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/section_view.h"
 
-#include "ui/picture/detail.h"
+#include "ui/picture/section/detail.h"
 #include "ui/view/force_shapes.h"
 #include "ui/view/layer.h"
 #include "ui/view/screen_sizes.h"

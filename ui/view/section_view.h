@@ -7,7 +7,7 @@
 // determines what is shown.
 #pragma once
 
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 #include "ui/view/view_colours.h"
 
 #include <memory>

@@ -3,9 +3,9 @@
 #include "ui/window/panel_runs.h"
 
 #include "ui/docks/result_card.h"
-#include "ui/panels/model_summary_panel.h"
-#include "ui/panels/property_panel.h"
-#include "ui/panels/scene_tree.h"
+#include "ui/panels/properties/property_panel.h"
+#include "ui/panels/summary/model_summary_panel.h"
+#include "ui/panels/tree/scene_tree.h"
 #include "ui/runs/runs.h"
 #include "ui/window/place_panels.h"
 

@@ -8,7 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/edit/edits.h"
 #include "ui/look/commands.h"
-#include "ui/picture/deformed.h"
+#include "ui/picture/section/deformed.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/pinned_values.h"
 #include "ui/runs/section_feed.h"

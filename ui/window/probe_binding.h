@@ -5,7 +5,7 @@
 // probe command.
 #pragma once
 
-#include "ui/picture/pick.h"
+#include "ui/picture/section/pick.h"
 
 #include <QObject>
 

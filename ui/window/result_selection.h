@@ -6,7 +6,7 @@
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
-#include "ui/picture/pick.h"
+#include "ui/picture/section/pick.h"
 
 #include <QObject>
 

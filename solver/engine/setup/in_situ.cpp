@@ -8,7 +8,7 @@
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/glue.h"
 #include "solver/engine/model/edge.h"
-#include "solver/scene/activation.h"
+#include "solver/scene/stage_objects.h"
 
 #include <Eigen/QR>
 

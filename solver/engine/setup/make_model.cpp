@@ -8,7 +8,7 @@
 #include "solver/engine/setup/in_situ.h"
 #include "solver/engine/support.h"
 #include "solver/scene/lookup.h"
-#include "solver/scene/activation.h"
+#include "solver/scene/stage_objects.h"
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>

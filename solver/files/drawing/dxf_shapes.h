@@ -8,7 +8,7 @@
 // other kinds of entity never reach the library.
 #pragma once
 
-#include "geometry/curve.h"
+#include "geometry/shape/curve.h"
 #include "solver/files/drawing/dxf_entities.h"
 
 #include <optional>

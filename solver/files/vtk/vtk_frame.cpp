@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/vtk/vtk_frame.h"
 
-#include "geometry/convex_pieces.h"
+#include "geometry/cells/convex_pieces.h"
 #include "geometry/polygon.h"
 #include "solver/files/run_store/frame_payload.h"
 #include "solver/results/frame_quantities.h"

@@ -3,7 +3,7 @@
 //
 // The cut into blocks under libFuzzer: bytes become a section, and one that
 // breaks the property ends it.
-#include "tests/geometry/cut_property.h"
+#include "tests/geometry/cut/cut_property.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -10,7 +10,7 @@
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
 #include "solver/scene/lookup.h"
-#include "solver/scene/activation.h"
+#include "solver/scene/stage_objects.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/verify/readings.h"
 #include "tests/solver/run/small_stages.h"

@@ -4,7 +4,7 @@
 #include "ui/edit/edits.h"
 #include "ui/edit/handles.h"
 #include "ui/edit/scene_objects.h"
-#include "ui/edit/wall.h"
+#include "ui/edit/wall_at.h"
 
 namespace {
 

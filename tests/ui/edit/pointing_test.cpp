@@ -10,7 +10,7 @@
 #include "ui/edit/locate.h"
 #include "ui/edit/scene_objects.h"
 #include "ui/edit/snap.h"
-#include "ui/edit/wall.h"
+#include "ui/edit/wall_at.h"
 
 #include <algorithm>
 

@@ -9,8 +9,8 @@
 #include "ui/document/document.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/panels/field_form.h"
-#include "ui/panels/form_row_widget.h"
+#include "ui/panels/properties/field_form.h"
+#include "ui/panels/properties/form_row_widget.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Charts of a bolt and of a history, checked number by number.
-#include "ui/picture/bolt_chart.h"
-#include "ui/picture/history_charts.h"
+#include "ui/picture/charts/bolt_chart.h"
+#include "ui/picture/charts/history_charts.h"
 #include "ui/picture/run_time.h"
 
 #include "solver/results/history.h"

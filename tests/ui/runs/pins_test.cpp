@@ -12,7 +12,7 @@
 #include "tests/wait_for.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
-#include "ui/picture/section.h"
+#include "ui/picture/section/section.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/comparison.h"
 #include "ui/runs/section_feed.h"

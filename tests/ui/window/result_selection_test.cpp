@@ -12,7 +12,7 @@
 #include "ui/document/document.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/panels/property_panel.h"
+#include "ui/panels/properties/property_panel.h"
 #include "ui/runs/block_choice.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/runs.h"

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The outlines of tunnels. A profile is stored as its straight segments and arcs. Blocks
+// are cut along a polygon with its corners on these, but bolts are positioned by length
+// along the true wall and normal to it (theory, "Tunnel profiles").
+//
+// With width w and height h:
+//
+//   circle     Diameter d.
+//   d-shape    Vertical walls of height h − w/2 under a semicircle.
+//   horseshoe  The crown is a semicircle of radius w/2 with its springing line at the height H = h − w/2 above the
+//              floor. Below it each wall is an arc of radius w, tangent to the crown, with its centre at the opposite
+//              end of the springing line. At a depth y below that line the half-width is √(w² − y²) − w/2. The floor
+//              is 2√(w² − H²) − w wide, which is positive for H < w√3/2, so w/2 <= h < w(1 + √3)/2 ≈ 1.366 w.
+//   arched     Vertical walls under a circular arc of rise r over the chord w: radius (w²/4 + r²)/(2r), half-angle
+//              2·atan(2r/w). For r > w/2 the arc is wider than the chord.
+//
+// Pieces of zero length (the walls of a d-shape with h = w/2) are omitted.
+#pragma once
+
+#include "geometry/point.h"
+#include "geometry/shape/shape_problem.h"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace keyblock {
+
+struct CircleShape {
+    Point center{0.0, 0.0};  // [m]
+    double diameter = 0.0;  // [m]
+};
+struct DShape {
+    Point center{0.0, 0.0};  // of the bounding box [m]
+    double width = 0.0, height = 0.0;  // [m]
+};
+struct HorseshoeShape {
+    Point center{0.0, 0.0};  // of the bounding box [m]
+    double width = 0.0, height = 0.0;  // [m]
+};
+struct ArchedShape {
+    Point center{0.0, 0.0};  // of the bounding box [m]
+    double width = 0.0, wallHeight = 0.0, rise = 0.0;  // [m]
+};
+struct PolygonShape {
+    std::vector<Point> points;  // corners [m], clockwise or counter-clockwise
+};
+using ProfileShape = std::variant<CircleShape, DShape, HorseshoeShape, ArchedShape, PolygonShape>;
+
+/// Smallest ratio of rise to width of an arch. The centre of a flatter arch would be so far away that points on its
+/// wall would lose accuracy.
+inline constexpr double flattestArch = 1e-3;
+
+/// The first problem that prevents a shape from being a tunnel; none if it is valid. NaN and infinity are reported as
+/// problems.
+std::optional<ShapeProblem> profileProblem(const ProfileShape& shape);
+
+/// Circular arc in counter-clockwise direction.
+struct Arc {
+    Point center{0.0, 0.0};  // [m]
+    double radius = 0.0;  // [m]
+    double start = 0.0, sweep = 0.0;  // start angle from +x, and angle of the arc, > 0 [°]
+};
+
+/// A straight segment or an arc of the wall, with the opening on the left.
+struct ProfilePiece {
+    Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
+    std::optional<Arc> arc;  // none: straight
+    int edges = 1;  // number of polygon edges that represent it
+    double begin = 0.0, length = 0.0;  // position and length along the wall [m]
+};
+
+/// The wall, counter-clockwise from its start: the bottom of a circle, the left end of the floor of the other shapes,
+/// or the first point of a polygon.
+struct TunnelProfile {
+    std::vector<ProfilePiece> pieces;
+    double length = 0.0;  // total length of the true wall [m]
+};
+
+/// Minimum and maximum number of polygon edges that represent a full circle, whatever the requested sagitta.
+inline constexpr int leastEdgesOfCircle = 32;
+inline constexpr int mostEdgesOfCircle = 4096;
+
+/// Profile of a tunnel shape. Arcs are represented by an even number of equal edges, so that the middle of a crown is a
+/// corner.
+/// \param sagitta [m] largest distance between an edge and its arc; none: `leastEdgesOfCircle` edges per circle, which
+/// gives a sagitta of 0.5 % of the radius
+/// \pre profileProblem(shape) is none; sagitta > 0.
+TunnelProfile tunnelProfile(const ProfileShape& shape, std::optional<double> sagitta = std::nullopt);
+
+/// Corner `i` of the polygon edges that represent a piece: 0 is the start of the piece, `edges` its end.
+Point cornerOf(const ProfilePiece& piece, int i);
+
+/// The polygon that represents the wall, counter-clockwise, with its corners on the true wall.
+std::vector<Point> outline(const TunnelProfile& profile);
+
+// Positions are lengths [m] along the true wall, counter-clockwise from the start, modulo the length of the whole wall.
+
+/// Point on the true wall.
+Point pointAtLength(const TunnelProfile& profile, double length);
+
+/// Point on the polygon. On an arc it is the point in line with the arc's centre and the point on the true wall.
+Point outlinePointAtLength(const TunnelProfile& profile, double length);
+
+/// Unit normal of the true wall, pointing into the rock. At a corner, within 1e-9 of the whole length, it bisects the
+/// normals of the two sides.
+Point normalAtLength(const TunnelProfile& profile, double length);
+
+/// Position on the true wall nearest to `p`, at least 0 and below the whole length; of equally near positions, the
+/// first.
+double lengthOfNearest(const TunnelProfile& profile, const Point& p);
+
+/// Direction along the wall in the drawn section (x to the right, y upward).
+enum class Way { CounterClockwise, Clockwise };
+
+/// Length [m] along the wall from one position to another in the direction `way`, below the whole length; 0 if the
+/// positions coincide within 1e-9 of the whole length.
+double lengthBetween(const TunnelProfile& profile, double from, double to, Way way);
+
+}  // namespace keyblock
