@@ -92,7 +92,7 @@ void BoxGrid::visitCells(const Level& level, const Box& box, Visit visit) const 
 template <class Visit>
 void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) const {
     visitCells(level, box, [&](int other) {
-        if (meets(boxes_[static_cast<std::size_t>(other)], box)) visit(other);
+        if (meets(boxes_[other], box)) visit(other);
     });
 }
 
@@ -101,7 +101,7 @@ std::vector<std::pair<int, int>> BoxGrid::meetingPairs() const {
     for (auto own = levels_.begin(); own != levels_.end(); ++own)
         for (const Entry& entry : own->entries)
             for (auto level = own; level != levels_.end(); ++level)
-                visitMeeting(*level, boxes_[static_cast<std::size_t>(entry.box)], [&](int other) {
+                visitMeeting(*level, boxes_[entry.box], [&](int other) {
                     if (level != own || entry.box < other) pairs.emplace_back(std::minmax(entry.box, other));
                 });
     std::sort(pairs.begin(), pairs.end());

@@ -26,19 +26,19 @@ public:
     /// The largest part decides the sign.
     int sign() const {
         for (int i = count_ - 1; i >= 0; --i)
-            if (parts_[static_cast<std::size_t>(i)] != 0.0) return parts_[static_cast<std::size_t>(i)] > 0.0 ? 1 : -1;
+            if (parts_[i] != 0.0) return parts_[i] > 0.0 ? 1 : -1;
         return 0;
     }
 
 private:
     void add(double value) {
         for (int i = 0; i < count_; ++i) {
-            double& part = parts_[static_cast<std::size_t>(i)];
+            double& part = parts_[i];
             const double sum = value + part, shift = sum - value;
             part = (value - (sum - shift)) + (part - shift);  // round-off error of the sum
             value = sum;
         }
-        parts_[static_cast<std::size_t>(count_++)] = value;
+        parts_[count_++] = value;
     }
 
     std::array<double, 12> parts_{};

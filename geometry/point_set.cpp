@@ -12,7 +12,7 @@ namespace keyblock {
 std::size_t PointSet::Mixed::operator()(const Bin& bin) const {
     const auto c = static_cast<std::uint64_t>(bin.column), r = static_cast<std::uint64_t>(bin.row);
     const std::uint64_t mixed = (c * 0x9E3779B97F4A7C15u) ^ ((r + 0x9E3779B97F4A7C15u) * 0xBF58476D1CE4E5B9u);
-    return static_cast<std::size_t>(mixed ^ (mixed >> 29));
+    return mixed ^ (mixed >> 29);
 }
 
 int PointSet::number(const Point& p) {
@@ -24,7 +24,7 @@ int PointSet::number(const Point& p) {
     for (std::int64_t column = own.column - 1; column <= own.column + 1; ++column)
         for (std::int64_t row = own.row - 1; row <= own.row + 1; ++row) {
             const auto found = bins_.find({column, row});
-            for (int i = found == bins_.end() ? -1 : found->second; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
+            for (int i = found == bins_.end() ? -1 : found->second; i >= 0; i = next_[i]) {
                 const double distance = ((*this)[i] - p).norm();
                 if (distance > least || (distance == least && nearest >= 0 && nearest < i)) continue;
                 least = distance;

@@ -23,7 +23,7 @@ public:
     /// Number of the nearest point within the tolerance of `p`; if there is none, `p` is added with a new number.
     int number(const Point& p);
 
-    const Point& operator[](int number) const { return points_[static_cast<std::size_t>(number)]; }
+    const Point& operator[](int number) const { return points_[number]; }
     int size() const { return static_cast<int>(points_.size()); }
 
 private:

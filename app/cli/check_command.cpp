@@ -42,7 +42,7 @@ std::string placeText(const Point& place) { return "(" + coordinateText(place.x(
 void tellNotes(const SceneCut& cut, bool all) {
     for (auto note = cut.notes.begin(); note != cut.notes.end();) {
         const auto end = std::find_if(note, cut.notes.end(), [&](const CutNote& n) { return n.kind != note->kind; });
-        const auto count = static_cast<std::size_t>(end - note);
+        const std::size_t count = end - note;
         print("  " + std::string(wordOf(note->kind)) + ": " + std::to_string(count) + '\n');
         const std::size_t listed = all ? count : std::min(count, mostOfAKind);
         for (std::size_t i = 0; i < listed; ++i, ++note)

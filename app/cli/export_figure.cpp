@@ -26,7 +26,7 @@ std::size_t kindOf(const ExportOptions& options) {
     const auto words = figureWords();
     const auto found = std::find(words.begin(), words.end(), *options.figure);
     if (found != words.end())
-        return static_cast<std::size_t>(found - words.begin());
+        return found - words.begin();
     std::string names;
     for (const std::string_view word : words)
         names += (names.empty() ? "" : ", ") + std::string(word);
@@ -38,7 +38,7 @@ std::size_t formatOf(const ExportOptions& options) {
     const auto found = std::find(endings.begin(), endings.end(), options.out.extension().string());
     if (found == endings.end())
         throw UsageError("'" + options.out.string() + "': a figure is written as .svg, .pdf or .png");
-    return static_cast<std::size_t>(found - endings.begin());
+    return found - endings.begin();
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Json orNull(const std::optional<Value>& value) {
 }
 
 Json stageJson(const Scene& scene, const StageRecord& record) {
-    const auto index = static_cast<std::size_t>(record.result.stage);
+    const std::size_t index = record.result.stage;
     Json json{{"name", scene.stages[index].name}, {"kind", wordOf(scene.stages[index].kind)}};
     json["outcome"] = record.ended ? Json(wordOf(record.result.outcome)) : Json(nullptr);
     json["time_s"] = record.ended ? Json(record.result.time) : Json(nullptr);
@@ -129,7 +129,7 @@ Json boltsJson(const RunSource& run) {
         return bolts;
     const Frame frame = run.frame(run.frames().size() - 1);
     for (const BoltUse& use : boltUses(run))
-        bolts.push_back(boltJson(run, use, frame.bolts[static_cast<std::size_t>(use.bolt)]));
+        bolts.push_back(boltJson(run, use, frame.bolts[use.bolt]));
     return bolts;
 }
 
@@ -369,7 +369,7 @@ Json modeJson(const Scene& scene, const FailureMode& mode) {
                           {"displacement_m", {block.displacement.x(), block.displacement.y()}},
                           {"rotation_rad", block.rotation}});
     for (const MovingJoint& joint : mode.joints) {
-        const auto material = static_cast<std::size_t>(joint.jointMaterial);
+        const std::size_t material = joint.jointMaterial;
         const bool named = joint.jointMaterial >= 0 && material < scene.jointMaterials.size();
         joints.push_back({{"blocks", {blockName(names, joint.blockA), blockName(names, joint.blockB)}},
                           {"joint_material", named ? Json(scene.jointMaterials[material].first) : Json(nullptr)},

@@ -30,7 +30,7 @@ std::string stageTable(const Scene& scene, const std::vector<StageRecord>& recor
     for (const StageRecord& record : records) {
         const StageResult& result = record.result;
         rows.push_back({stageName(scene, result.stage),
-                        std::string(wordOf(scene.stages[static_cast<std::size_t>(result.stage)].kind)),
+                        std::string(wordOf(scene.stages[result.stage].kind)),
                         record.ended ? std::string(wordOf(result.outcome)) : "not ended",
                         record.ended ? shown(result.time) : "", record.ended ? std::to_string(result.steps) : ""});
         if (!seconds.empty())

@@ -45,7 +45,7 @@ std::string shownSeconds(double seconds) { return formatted(seconds, std::chars_
 
 std::size_t shownWidth(std::string_view text) {
     const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsCharacter));
+    return std::count_if(text.begin(), text.end(), startsCharacter);
 }
 
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells) {

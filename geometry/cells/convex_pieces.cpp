@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    const Point& at(int corner) const { return polygon_[static_cast<std::size_t>(corner)]; }
+    const Point& at(int corner) const { return polygon_[corner]; }
     int before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
     int after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 

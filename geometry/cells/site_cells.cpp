@@ -32,7 +32,7 @@ public:
         width_ = std::max({spacing, std::sqrt(extent.x() * extent.y() / squares), extent.maxCoeff() / squares});
         columns_ = static_cast<long>(extent.x() / width_) + 1;
         rows_ = static_cast<long>(extent.y() / width_) + 1;
-        members_.resize(static_cast<std::size_t>(columns_ * rows_));
+        members_.resize(columns_ * rows_);
         for (std::size_t i = 0; i < sites.size(); ++i)
             members_[index(column(sites[i]), row(sites[i]))].push_back(static_cast<int>(i));
     }
@@ -61,7 +61,7 @@ private:
     long place(double off, long n) const {
         return static_cast<long>(std::clamp(off / width_, 0.0, static_cast<double>(n - 1)));
     }
-    std::size_t index(long i, long j) const { return static_cast<std::size_t>(j * columns_ + i); }
+    std::size_t index(long i, long j) const { return j * columns_ + i; }
 
     Box box_;
     double width_ = 0.0;  // [m]
@@ -94,11 +94,11 @@ double farthest(const std::vector<Corner>& cell, const Point& from) {
 }
 
 std::vector<Corner> cellOf(std::span<const Point> sites, int own, const Bins& bins, const Box& bounds) {
-    const Point& site = sites[static_cast<std::size_t>(own)];
+    const Point& site = sites[own];
     std::vector<Corner> cell{{bounds.min}, {{bounds.max.x(), bounds.min.y()}}, {bounds.max},
                              {{bounds.min.x(), bounds.max.y()}}};
     const auto cut = [&](int other) {
-        if (other != own) keepNearer(cell, site, sites[static_cast<std::size_t>(other)], other);
+        if (other != own) keepNearer(cell, site, sites[other], other);
     };
     for (long ring = 0; bins.visitRing(site, ring, cut); ++ring)
         if (static_cast<double>(ring) * bins.width() >= 2.0 * farthest(cell, site)) break;
@@ -114,7 +114,7 @@ Point circleCentre(const Point& a, const Point& b, const Point& c) {
 
 /// The position of the corner, computed identically for all three cells.
 Point commonPlace(std::span<const Point> sites, std::array<int, 3> names, const Point& own, double spacing) {
-    const auto site = [&](int i) { return sites[static_cast<std::size_t>(names[static_cast<std::size_t>(i)])]; };
+    const auto site = [&](int i) { return sites[names[i]]; };
     const Point centre = circleCentre(site(0), site(1), site(2));
     // Three nearly collinear sites have a distant centre with few significant digits. There each cell keeps its own
     // corner.

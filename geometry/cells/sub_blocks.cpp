@@ -94,15 +94,15 @@ void slice(std::vector<Polygon> rest, const Point& first, const Point& step, con
 }
 
 std::vector<Polygon> cellsOf(const Polygon& outline, const Grid& grid, double tolerance) {
-    std::vector<std::vector<Polygon>> columns(static_cast<std::size_t>(grid.columns));
+    std::vector<std::vector<Polygon>> columns(grid.columns);
     // downwards, so that the remaining columns lie on the left of each line
     slice({outline}, grid.box.min, {grid.width(), 0.0}, {0.0, -1.0}, grid.columns, tolerance,
-          [&](int column, Polygon part) { columns[static_cast<std::size_t>(column)].push_back(std::move(part)); });
+          [&](int column, Polygon part) { columns[column].push_back(std::move(part)); });
     std::vector<Polygon> cells;
     for (std::vector<Polygon>& column : columns) {
-        std::vector<std::vector<Polygon>> rows(static_cast<std::size_t>(grid.rows));
+        std::vector<std::vector<Polygon>> rows(grid.rows);
         slice(std::move(column), grid.box.min, {0.0, grid.height()}, {1.0, 0.0}, grid.rows, tolerance,
-              [&](int row, Polygon part) { rows[static_cast<std::size_t>(row)].push_back(std::move(part)); });
+              [&](int row, Polygon part) { rows[row].push_back(std::move(part)); });
         for (std::vector<Polygon>& row : rows) {
             std::sort(row.begin(), row.end(), [](const Polygon& a, const Polygon& b) {
                 const Point p = moments(a).centroid, q = moments(b).centroid;
@@ -218,8 +218,8 @@ std::vector<std::vector<int>> neighbours(const std::vector<Polygon>& cells, doub
     for (const Polygon& cell : cells) boxes.push_back(grown(boxOf(cell), tolerance));
     std::vector<std::vector<int>> beside(cells.size());
     for (const auto& [i, j] : BoxGrid(std::move(boxes)).meetingPairs()) {
-        beside[static_cast<std::size_t>(i)].push_back(j);
-        beside[static_cast<std::size_t>(j)].push_back(i);
+        beside[i].push_back(j);
+        beside[j].push_back(i);
     }
     return beside;
 }
@@ -236,25 +236,25 @@ void joinSlivers(std::vector<Polygon>& cells, double leastArea, double tolerance
         if (const double area = signedArea(cells[i]); area < leastArea) slivers.emplace_back(area, static_cast<int>(i));
     std::sort(slivers.begin(), slivers.end());
     for (const auto& sliver : slivers) {
-        const auto own = static_cast<std::size_t>(sliver.second);
+        const std::size_t own = sliver.second;
         if (cells[own].empty() || signedArea(cells[own]) >= leastArea) continue;
         std::vector<std::pair<double, int>> choices;
         for (int part : parts[own])
-            for (int k : beside[static_cast<std::size_t>(part)]) {
-                const int other = owner[static_cast<std::size_t>(k)];
+            for (int k : beside[part]) {
+                const int other = owner[k];
                 if (other == sliver.second) continue;
-                const double length = lengthOf(sharedBy(cells[own], cells[static_cast<std::size_t>(other)], 4.0 * tolerance));
+                const double length = lengthOf(sharedBy(cells[own], cells[other], 4.0 * tolerance));
                 if (length > 0.0) choices.emplace_back(-length, other);
             }
         std::sort(choices.begin(), choices.end());
         choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
         for (const auto& choice : choices) {
-            const auto other = static_cast<std::size_t>(choice.second);
+            const std::size_t other = choice.second;
             std::optional<Polygon> both = joined(cells[other], cells[own], 4.0 * tolerance);
             if (!both) continue;
             cells[other] = std::move(*both);
             cells[own].clear();
-            for (int part : parts[own]) owner[static_cast<std::size_t>(part)] = choice.second;
+            for (int part : parts[own]) owner[part] = choice.second;
             parts[other].insert(parts[other].end(), parts[own].begin(), parts[own].end());
             break;
         }
@@ -268,7 +268,7 @@ std::vector<SharedEdge> sharedEdges(const std::vector<Polygon>& cells, double to
     std::vector<SharedEdge> shared;
     for (const auto& [i, j] : BoxGrid(std::move(boxes)).meetingPairs())
         for (const auto& [from, to] :
-             sharedBy(cells[static_cast<std::size_t>(i)], cells[static_cast<std::size_t>(j)], 4.0 * tolerance))
+             sharedBy(cells[i], cells[j], 4.0 * tolerance))
             shared.push_back({i, j, from, to});
     return shared;
 }

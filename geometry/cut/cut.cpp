@@ -176,7 +176,7 @@ private:
         Gathered gathered = gatherSorted(points, corners, 4.0 * roundOff());
         map_.points = std::move(gathered.places);
         for (HalfEdge& half : map_.halfEdges)
-            half.target = gathered.placeOf[corners + static_cast<std::size_t>(half.target)];
+            half.target = gathered.placeOf[corners + half.target];
     }
 
     void cutFaces() {
@@ -227,9 +227,9 @@ private:
                 continue;
             }
             const HalfEdge& half = map_.halfEdges[2 * static_cast<std::size_t>(neighbour->edge)];
-            const int owner = map_.marks[static_cast<std::size_t>(neighbour->edge)].owner;
-            note(CutNoteKind::MergedUnsound, map_.points[static_cast<std::size_t>(half.target)],
-                 sources_[static_cast<std::size_t>(owner)],
+            const int owner = map_.marks[neighbour->edge].owner;
+            note(CutNoteKind::MergedUnsound, map_.points[half.target],
+                 sources_[owner],
                  std::min(groups.area(group), groups.area(neighbour->group)));
             const int old = neighbour->group, both = groups.join(group, *neighbour);
             std::erase(unsound, old);
@@ -247,15 +247,15 @@ private:
     }
 
     void noteSliver(const Sliver& sliver) {
-        const auto end = static_cast<std::size_t>(map_.halfEdges[static_cast<std::size_t>(sliver.halfEdge)].target);
+        const std::size_t end = map_.halfEdges[sliver.halfEdge].target;
         if (sliver.edge < 0) {
             note(CutNoteKind::KeptSliver, map_.points[end], borderSource, sliver.area);
             return;
         }
-        const auto e = static_cast<std::size_t>(sliver.edge);
-        const Point middle = 0.5 * (map_.points[static_cast<std::size_t>(map_.halfEdges[2 * e].target)] +
-                                    map_.points[static_cast<std::size_t>(map_.halfEdges[2 * e + 1].target)]);
-        note(CutNoteKind::MergedSliver, middle, sources_[static_cast<std::size_t>(map_.marks[e].owner)], sliver.area);
+        const std::size_t e = sliver.edge;
+        const Point middle = 0.5 * (map_.points[map_.halfEdges[2 * e].target] +
+                                    map_.points[map_.halfEdges[2 * e + 1].target]);
+        note(CutNoteKind::MergedSliver, middle, sources_[map_.marks[e].owner], sliver.area);
     }
 
     /// An interval of a piece that bounds no face; its ends are lengths along the piece.
@@ -273,7 +273,7 @@ private:
         for (std::size_t e = 0; e < map_.marks.size(); ++e) {
             const HalfEdge &one = map_.halfEdges[2 * e], &two = map_.halfEdges[2 * e + 1];
             const int owner = map_.marks[e].owner;
-            const auto piece = static_cast<std::size_t>(owner);
+            const std::size_t piece = owner;
             if (sources_[piece] == borderSource || clean_.pieces[piece].bridge) continue;
             seen[piece] = 1;
             const bool inside = groups.domainOf(one.face) >= 0;
@@ -284,7 +284,7 @@ private:
             if (!inside) continue;
             const auto along = [&](int vertex) {
                 const TracePiece& own = clean_.pieces[piece];
-                return (own.to - own.from).normalized().dot(map_.points[static_cast<std::size_t>(vertex)] - own.from);
+                return (own.to - own.from).normalized().dot(map_.points[vertex] - own.from);
             };
             const double from = along(two.target), to = along(one.target);
             loose.push_back({owner, std::min(from, to), std::max(from, to)});
@@ -324,7 +324,7 @@ private:
     }
 
     void handOut(const FaceGroups& groups, Blocks blocks) {
-        const auto domainOf = [&](int face) { return domains_[static_cast<std::size_t>(groups.domainOf(face))].id; };
+        const auto domainOf = [&](int face) { return domains_[groups.domainOf(face)].id; };
         std::vector<std::size_t> order(blocks.size());
         std::iota(order.begin(), order.end(), 0u);
         std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -339,7 +339,7 @@ private:
                 for (int& vertex : hole.vertices) visit(vertex);
         };
         for (auto& block : blocks)
-            forEachVertex(block.second, [&](int vertex) { index[static_cast<std::size_t>(vertex)] = 0; });
+            forEachVertex(block.second, [&](int vertex) { index[vertex] = 0; });
         for (std::size_t vertex = 0; vertex < index.size(); ++vertex)
             if (index[vertex] == 0) {
                 index[vertex] = static_cast<int>(cut_.vertices.size());
@@ -348,7 +348,7 @@ private:
         cut_.blocks.reserve(blocks.size());
         for (std::size_t i : order) {
             TracedBlock& block = blocks[i].second;
-            forEachVertex(block, [&](int& vertex) { vertex = index[static_cast<std::size_t>(vertex)]; });
+            forEachVertex(block, [&](int& vertex) { vertex = index[vertex]; });
             cut_.blocks.push_back({domainOf(blocks[i].first), std::move(block.outer), std::move(block.holes),
                                    block.area, 2.0 * block.area / block.perimeter});
         }

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 FaceGroups::FaceGroups(const PlanarMap& map) : map_(map) {
-    const auto faces = static_cast<std::size_t>(map.faces);
+    const std::size_t faces = map.faces;
     parent_.resize(faces);
     std::iota(parent_.begin(), parent_.end(), 0);
     nextFace_ = parent_;
@@ -21,9 +21,9 @@ FaceGroups::FaceGroups(const PlanarMap& map) : map_(map) {
 
 int FaceGroups::groupOf(int face) const {
     auto& parent = parent_;
-    auto f = static_cast<std::size_t>(face);
+    std::size_t f = face;
     while (parent[f] != static_cast<int>(f)) {
-        parent[f] = parent[static_cast<std::size_t>(parent[f])];
+        parent[f] = parent[parent[f]];
         f = static_cast<std::size_t>(parent[f]);
     }
     return static_cast<int>(f);
@@ -36,29 +36,29 @@ double FaceGroups::width(int group) const {
 
 void FaceGroups::listHalfEdges() {
     start_.assign(static_cast<std::size_t>(map_.faces) + 1, 0);
-    for (const HalfEdge& half : map_.halfEdges) ++start_[static_cast<std::size_t>(half.face) + 1];
+    for (const HalfEdge& half : map_.halfEdges) ++start_[half.face + 1];
     for (std::size_t f = 1; f < start_.size(); ++f) start_[f] += start_[f - 1];
     ofFaces_.resize(map_.halfEdges.size());
     std::vector<int> next(start_.begin(), start_.end() - 1);
     for (std::size_t h = 0; h < map_.halfEdges.size(); ++h)
-        ofFaces_[static_cast<std::size_t>(next[static_cast<std::size_t>(map_.halfEdges[h].face)]++)] =
+        ofFaces_[next[map_.halfEdges[h].face]++] =
             static_cast<int>(h);
 }
 
 void FaceGroups::findDomains() {
-    std::vector<Domains> domains(static_cast<std::size_t>(map_.faces), Domains{-1, -1});
+    std::vector<Domains> domains(map_.faces, Domains{-1, -1});
     std::vector<char> seen(domains.size(), 0);
     std::vector<int> waiting{0};
     seen[0] = 1;
     while (!waiting.empty()) {
-        const auto face = static_cast<std::size_t>(waiting.back());
+        const std::size_t face = waiting.back();
         waiting.pop_back();
         for (int k = start_[face]; k < start_[face + 1]; ++k) {
-            const int half = ofFaces_[static_cast<std::size_t>(k)];
-            const auto other = static_cast<std::size_t>(map_.halfEdges[static_cast<std::size_t>(half ^ 1)].face);
+            const int half = ofFaces_[k];
+            const std::size_t other = map_.halfEdges[half ^ 1].face;
             if (seen[other]) continue;
             seen[other] = 1;
-            domains[other] = inOneOf(domains[face], map_.marks[static_cast<std::size_t>(half / 2)].domains);
+            domains[other] = inOneOf(domains[face], map_.marks[half / 2].domains);
             waiting.push_back(static_cast<int>(other));
         }
     }
@@ -66,18 +66,18 @@ void FaceGroups::findDomains() {
 }
 
 void FaceGroups::measure() {
-    area_.assign(static_cast<std::size_t>(map_.faces), 0.0);
+    area_.assign(map_.faces, 0.0);
     perimeter_ = area_;
     for (std::size_t e = 0; e < map_.marks.size(); ++e) {
         const HalfEdge &one = map_.halfEdges[2 * e], &two = map_.halfEdges[2 * e + 1];
         if (one.face == two.face) continue;
-        const Point& from = map_.points[static_cast<std::size_t>(two.target)];
-        const Point& to = map_.points[static_cast<std::size_t>(one.target)];
+        const Point& from = map_.points[two.target];
+        const Point& to = map_.points[one.target];
         const double twice = cross(from, to), length = (to - from).norm();
-        area_[static_cast<std::size_t>(one.face)] += 0.5 * twice;
-        area_[static_cast<std::size_t>(two.face)] -= 0.5 * twice;
-        perimeter_[static_cast<std::size_t>(one.face)] += length;
-        perimeter_[static_cast<std::size_t>(two.face)] += length;
+        area_[one.face] += 0.5 * twice;
+        area_[two.face] -= 0.5 * twice;
+        perimeter_[one.face] += length;
+        perimeter_[two.face] += length;
     }
 }
 
@@ -113,8 +113,8 @@ std::optional<FaceGroups::Neighbour> FaceGroups::longestNeighbour(int group) con
 }
 
 int FaceGroups::join(int group, const Neighbour& neighbour) {
-    const auto first = static_cast<std::size_t>(std::min(group, neighbour.group));
-    const auto second = static_cast<std::size_t>(std::max(group, neighbour.group));
+    const std::size_t first = std::min(group, neighbour.group);
+    const std::size_t second = std::max(group, neighbour.group);
     parent_[second] = static_cast<int>(first);
     std::swap(nextFace_[first], nextFace_[second]);
     area_[first] += area_[second];

@@ -21,21 +21,21 @@ public:
     /// Group of a face, identified by the lowest index of the faces in it.
     int groupOf(int face) const;
     /// Index of the domain that contains a face, the lowest if domains overlap; −1: outside all domains.
-    int domainOf(int face) const { return domain_[static_cast<std::size_t>(face)]; }
+    int domainOf(int face) const { return domain_[face]; }
     double area(int group) const { return area_[static_cast<std::size_t>(group)]; }  // [m²]
     double width(int group) const;  // 2·area / perimeter [m]
 
     /// True if the groups on the two sides of a half-edge differ.
     bool bounds(int halfEdge) const { return groupAt(halfEdge) != groupAt(halfEdge ^ 1); }
-    int groupAt(int halfEdge) const { return groupOf(map_.halfEdges[static_cast<std::size_t>(halfEdge)].face); }
+    int groupAt(int halfEdge) const { return groupOf(map_.halfEdges[halfEdge].face); }
 
     /// Calls `visit(h)` for the half-edges of all faces of a group.
     template <class Visit>
     void forEachHalfEdge(int group, Visit visit) const {
         int face = group;
         do {
-            const auto f = static_cast<std::size_t>(face);
-            for (int k = start_[f]; k < start_[f + 1]; ++k) visit(ofFaces_[static_cast<std::size_t>(k)]);
+            const std::size_t f = face;
+            for (int k = start_[f]; k < start_[f + 1]; ++k) visit(ofFaces_[k]);
             face = nextFace_[f];
         } while (face != group);
     }
@@ -60,8 +60,8 @@ private:
     void listHalfEdges();
     void measure();
     const Point& startOf(int half) const {
-        const HalfEdge& twin = map_.halfEdges[static_cast<std::size_t>(half ^ 1)];
-        return map_.points[static_cast<std::size_t>(twin.target)];
+        const HalfEdge& twin = map_.halfEdges[half ^ 1];
+        return map_.points[twin.target];
     }
 
     const PlanarMap& map_;

@@ -18,19 +18,19 @@ struct RingEdge {
 };
 
 double shoelace(const std::vector<Point>& points, const CutRing& ring) {
-    const Point& origin = points[static_cast<std::size_t>(ring.vertices.front())];
+    const Point& origin = points[ring.vertices.front()];
     double twice = 0.0;
     for (std::size_t i = 1; i + 1 < ring.vertices.size(); ++i)
-        twice += cross(points[static_cast<std::size_t>(ring.vertices[i])] - origin,
-                       points[static_cast<std::size_t>(ring.vertices[i + 1])] - origin);
+        twice += cross(points[ring.vertices[i]] - origin,
+                       points[ring.vertices[i + 1]] - origin);
     return 0.5 * twice;
 }
 
 double around(const std::vector<Point>& points, const CutRing& ring) {
     double length = 0.0;
     for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
-        const auto from = static_cast<std::size_t>(ring.vertices[i]);
-        const auto to = static_cast<std::size_t>(ring.vertices[(i + 1) % ring.vertices.size()]);
+        const std::size_t from = ring.vertices[i];
+        const std::size_t to = ring.vertices[(i + 1) % ring.vertices.size()];
         length += (points[to] - points[from]).norm();
     }
     return length;
@@ -38,7 +38,7 @@ double around(const std::vector<Point>& points, const CutRing& ring) {
 
 std::vector<Point> outlineOf(const std::vector<Point>& points, const CutRing& ring) {
     std::vector<Point> outline;
-    for (int vertex : ring.vertices) outline.push_back(points[static_cast<std::size_t>(vertex)]);
+    for (int vertex : ring.vertices) outline.push_back(points[vertex]);
     return outline;
 }
 
@@ -57,8 +57,8 @@ bool isConvex(const std::vector<Point>& points, const CutRing& ring) {
     for (std::size_t i = 0; i < count; ++i) {
         const int a = ring.vertices[i == 0 ? count - 1 : i - 1], b = ring.vertices[i];
         const int c = ring.vertices[i + 1 == count ? 0 : i + 1];
-        const Point &p = points[static_cast<std::size_t>(a)], &q = points[static_cast<std::size_t>(b)];
-        const Point& r = points[static_cast<std::size_t>(c)];
+        const Point &p = points[a], &q = points[b];
+        const Point& r = points[c];
         const int way = orientation(p, q, r);
         if (way < 0 || (way == 0 && (q - p).dot(r - q) <= 0.0)) return false;
         lefts += way;
@@ -69,7 +69,7 @@ bool isConvex(const std::vector<Point>& points, const CutRing& ring) {
 
 /// True if the two edges have no point in common, except possibly a common vertex.
 bool areApart(const std::vector<Point>& points, const RingEdge& one, const RingEdge& two) {
-    const auto at = [&](int vertex) -> const Point& { return points[static_cast<std::size_t>(vertex)]; };
+    const auto at = [&](int vertex) -> const Point& { return points[vertex]; };
     for (const auto& [a, b] : {std::pair(one.from, one.to), std::pair(one.to, one.from)})
         for (const auto& [c, d] : {std::pair(two.from, two.to), std::pair(two.to, two.from)})
             if (a == c)
@@ -80,13 +80,13 @@ bool areApart(const std::vector<Point>& points, const RingEdge& one, const RingE
 bool noEdgesMeet(const std::vector<Point>& points, const std::vector<RingEdge>& edges) {
     std::vector<Box> boxes;
     for (const RingEdge& edge : edges) {
-        const Point &p = points[static_cast<std::size_t>(edge.from)], &q = points[static_cast<std::size_t>(edge.to)];
+        const Point &p = points[edge.from], &q = points[edge.to];
         boxes.push_back({p.cwiseMin(q), p.cwiseMax(q)});
     }
     constexpr std::size_t few = 64;
     if (edges.size() > few) {
         for (const auto& [i, j] : BoxGrid(boxes).meetingPairs())
-            if (!areApart(points, edges[static_cast<std::size_t>(i)], edges[static_cast<std::size_t>(j)])) return false;
+            if (!areApart(points, edges[i], edges[j])) return false;
         return true;
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -109,11 +109,11 @@ RingTracer::RingTracer(const PlanarMap& map, const FaceGroups& groups, std::span
 TracedGroup RingTracer::trace(int group) {
     walk(group);
     for (const Loop& loop : loops_)
-        for (const Corner& corner : loop) ++uses_[static_cast<std::size_t>(corner.vertex)];
+        for (const Corner& corner : loop) ++uses_[corner.vertex];
     std::vector<Loop> straightened;
     for (const Loop& loop : loops_) straightened.push_back(withoutStraight(loop));
     for (const Loop& loop : loops_)
-        for (const Corner& corner : loop) uses_[static_cast<std::size_t>(corner.vertex)] = 0;
+        for (const Corner& corner : loop) uses_[corner.vertex] = 0;
     TracedGroup traced = blocksOf(straightened);
     return traced.sound ? traced : blocksOf(loops_);  // a corner that looks superfluous may keep edges apart
 }
@@ -122,7 +122,7 @@ void RingTracer::walk(int group) {
     ++walks_;
     loops_.clear();
     groups_.forEachHalfEdge(group, [&](int half) {
-        if (walked_[static_cast<std::size_t>(half)] != walks_ && groups_.groupAt(half ^ 1) != group) split(half, group);
+        if (walked_[half] != walks_ && groups_.groupAt(half ^ 1) != group) split(half, group);
     });
 }
 
@@ -131,30 +131,30 @@ void RingTracer::split(int firstHalf, int group) {
     line_.clear();
     int half = firstHalf;
     do {
-        walked_[static_cast<std::size_t>(half)] = walks_;
-        const int from = map_.halfEdges[static_cast<std::size_t>(half ^ 1)].target;
-        const int to = map_.halfEdges[static_cast<std::size_t>(half)].target;
+        walked_[half] = walks_;
+        const int from = map_.halfEdges[half ^ 1].target;
+        const int to = map_.halfEdges[half].target;
         if (from != to) {
-            int& place = place_[static_cast<std::size_t>(from)];
+            int& place = place_[from];
             if (place >= 0) closeLoop(static_cast<std::size_t>(place));
             place = static_cast<int>(line_.size());
-            line_.push_back({from, map_.marks[static_cast<std::size_t>(half / 2)].owner});
+            line_.push_back({from, map_.marks[half / 2].owner});
         }
-        half = map_.halfEdges[static_cast<std::size_t>(half)].next;
-        while (groups_.groupAt(half ^ 1) == group) half = map_.halfEdges[static_cast<std::size_t>(half ^ 1)].next;
+        half = map_.halfEdges[half].next;
+        while (groups_.groupAt(half ^ 1) == group) half = map_.halfEdges[half ^ 1].next;
     } while (half != firstHalf);
     closeLoop(0);
 }
 
 void RingTracer::closeLoop(std::size_t first) {
-    for (std::size_t i = first; i < line_.size(); ++i) place_[static_cast<std::size_t>(line_[i].vertex)] = -1;
+    for (std::size_t i = first; i < line_.size(); ++i) place_[line_[i].vertex] = -1;
     if (line_.size() - first > 2) loops_.emplace_back(line_.begin() + static_cast<std::ptrdiff_t>(first), line_.end());
     line_.resize(first);
 }
 
 /// True if the line from `before` continues straight at `corner`.
 bool RingTracer::isStraight(const Corner& before, const Corner& corner, const Corner& after) const {
-    if (straight_ < 0.0 || uses_[static_cast<std::size_t>(corner.vertex)] > 1) return false;
+    if (straight_ < 0.0 || uses_[corner.vertex] > 1) return false;
     if (source(before.owner) != source(corner.owner)) return false;
     const Point &p = at(before.vertex), &q = at(corner.vertex), &r = at(after.vertex);
     return std::abs(cross(r - p, q - p)) <= straight_ * (r - p).norm() && (q - p).dot(r - q) > 0.0;

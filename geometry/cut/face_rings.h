@@ -56,8 +56,8 @@ private:
     CutRing ringOf(const Loop& loop) const;
     TracedGroup blocksOf(const std::vector<Loop>& loops) const;
     bool isSound(const TracedBlock& block) const;
-    const Point& at(int vertex) const { return map_.points[static_cast<std::size_t>(vertex)]; }
-    int source(int owner) const { return sources_[static_cast<std::size_t>(owner)]; }
+    const Point& at(int vertex) const { return map_.points[vertex]; }
+    int source(int owner) const { return sources_[owner]; }
 
     const PlanarMap& map_;
     const FaceGroups& groups_;

@@ -32,8 +32,8 @@ public:
         for (std::int64_t column = index(p.x() - radius_); column <= index(p.x() + radius_); ++column)
             for (std::int64_t row = index(p.y() - radius_); row <= index(p.y() + radius_); ++row) {
                 const auto entry = first_.find(key(column, row));
-                for (int i = entry == first_.end() ? -1 : entry->second; i >= 0; i = next_[static_cast<std::size_t>(i)])
-                    if (const double distance = (places[static_cast<std::size_t>(i)] - p).norm();
+                for (int i = entry == first_.end() ? -1 : entry->second; i >= 0; i = next_[i])
+                    if (const double distance = (places[i] - p).norm();
                         distance < least || (distance == least && (best < 0 || i < best))) {
                         least = distance;
                         best = i;
@@ -76,7 +76,7 @@ public:
         entries_.resize(own.size());
         std::vector<int> at(start_.begin(), start_.end() - 1);
         for (const auto& [cell, i] : own)
-            entries_[static_cast<std::size_t>(at[cell]++)] = {points[static_cast<std::size_t>(i)], i};
+            entries_[at[cell]++] = {points[i], i};
     }
 
     /// Calls `visit(i)` for each point within the radius of the segment a–b.
@@ -109,7 +109,7 @@ private:
         const Point chord = b - a;
         const double reach = radius_ * radius_ * chord.squaredNorm() * (1.0 + 1e-9);
         for (int k = first; k < end; ++k) {
-            const Entry& entry = entries_[static_cast<std::size_t>(k)];
+            const Entry& entry = entries_[k];
             const double off = cross(chord, entry.place - a);
             if (off * off <= reach && distanceToSegment(a, b, entry.place) <= radius_) visit(entry.point);
         }
@@ -152,7 +152,7 @@ void forEachClosePair(std::span<const Point> points, double radius, Visit visit)
     for (std::size_t k = 0; k < order.size(); ++k)
         for (std::size_t m = k + 1; m < order.size() && order[m].first - order[k].first <= window; ++m) {
             const int i = order[k].point, j = order[m].point;
-            const Point apart = points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(j)];
+            const Point apart = points[i] - points[j];
             if (apart.norm() <= radius) visit(i, j);
         }
 }
@@ -164,7 +164,7 @@ Gathered gather(std::span<const Point> points, std::size_t fixed, double radius)
     PlaceCells cells(radius, points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         int place = cells.nearest(result.places, points[i]);
-        if (place >= 0 && i < fixed && result.places[static_cast<std::size_t>(place)] != points[i]) place = -1;
+        if (place >= 0 && i < fixed && result.places[place] != points[i]) place = -1;
         if (place < 0) {
             place = static_cast<int>(result.places.size());
             result.places.push_back(points[i]);
@@ -180,17 +180,17 @@ Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double r
     std::vector<int> target(count);  // the point with which each point is merged; itself at the end of a chain
     std::iota(target.begin(), target.end(), 0);
     const auto end = [&](int i) {
-        while (target[static_cast<std::size_t>(i)] != i) i = target[static_cast<std::size_t>(i)];
+        while (target[i] != i) i = target[i];
         return i;
     };
     const auto rank = [&](int i) {
-        const Point& p = points[static_cast<std::size_t>(i)];
+        const Point& p = points[i];
         return std::tuple(static_cast<std::size_t>(i) >= fixed, p.x(), p.y(), i);
     };
     forEachClosePair(points, radius, [&](int i, int j) {
         const int a = end(i), b = end(j);
         const int first = rank(a) < rank(b) ? a : b;
-        target[static_cast<std::size_t>(a)] = target[static_cast<std::size_t>(b)] = first;
+        target[a] = target[b] = first;
     });
     std::vector<Keyed> order;
     for (std::size_t i = 0; i < count; ++i)
@@ -200,11 +200,11 @@ Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double r
     result.placeOf.assign(count, 0);
     result.places.reserve(order.size());
     for (const Keyed& own : order) {
-        result.placeOf[static_cast<std::size_t>(own.point)] = static_cast<int>(result.places.size());
-        result.places.push_back(points[static_cast<std::size_t>(own.point)]);
+        result.placeOf[own.point] = static_cast<int>(result.places.size());
+        result.places.push_back(points[own.point]);
     }
     for (std::size_t i = 0; i < count; ++i)
-        result.placeOf[i] = result.placeOf[static_cast<std::size_t>(end(static_cast<int>(i)))];
+        result.placeOf[i] = result.placeOf[end(static_cast<int>(i))];
     return result;
 }
 
@@ -214,8 +214,8 @@ std::vector<std::pair<int, int>> nearPairs(std::span<const Point> places, std::s
     std::vector<std::pair<int, int>> pairs;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const PlacePair ends = segments[i];
-        const Point& from = places[static_cast<std::size_t>(ends.from)];
-        grid.visitNear(from, places[static_cast<std::size_t>(ends.to)], [&](int place) {
+        const Point& from = places[ends.from];
+        grid.visitNear(from, places[ends.to], [&](int place) {
             if (place != ends.from && place != ends.to) pairs.emplace_back(place, static_cast<int>(i));
         });
     }

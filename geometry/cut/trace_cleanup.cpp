@@ -78,7 +78,7 @@ private:
     void note(CutNoteKind kind, const Point& place, int source, int other, double measure) {
         result_.notes.push_back({kind, place, source, other, measure});
     }
-    const Point& at(int place) const { return places_[static_cast<std::size_t>(place)]; }
+    const Point& at(int place) const { return places_[place]; }
     bool nearBox(const Point& p) const { return meets(grown(box_, tolerance_), {p, p}); }
 
     /// The traces without those that miss the domains. Only traces that extend far outside are clipped, because
@@ -161,8 +161,8 @@ private:
         for (std::size_t k = 1; k < keys.size(); ++k) {
             const auto& [low, high, own] = keys[k];
             if (std::get<0>(keys[first]) != low || std::get<1>(keys[first]) != high) first = k;
-            else if (const auto later = static_cast<std::size_t>(own); later >= borders_) {
-                const auto earlier = static_cast<std::size_t>(std::get<2>(keys[first]));
+            else if (const std::size_t later = own; later >= borders_) {
+                const std::size_t earlier = std::get<2>(keys[first]);
                 repeated[later] = 1;
                 note(CutNoteKind::MergedTrace, 0.5 * (at(low) + at(high)), stretches_[later].source,
                      stretches_[earlier].source, (at(high) - at(low)).norm());
@@ -184,17 +184,17 @@ private:
     void listStretches() {
         listStart_.assign(places_.size() + 1, 0);
         for (const Stretch& stretch : stretches_)
-            for (int place : {stretch.ends.from, stretch.ends.to}) ++listStart_[static_cast<std::size_t>(place) + 1];
+            for (int place : {stretch.ends.from, stretch.ends.to}) ++listStart_[place + 1];
         for (std::size_t i = 1; i < listStart_.size(); ++i) listStart_[i] += listStart_[i - 1];
         list_.resize(2 * stretches_.size());
         std::vector<int> next(listStart_.begin(), listStart_.end() - 1);
         for (std::size_t i = 0; i < stretches_.size(); ++i)
             for (int place : {stretches_[i].ends.from, stretches_[i].ends.to})
-                list_[static_cast<std::size_t>(next[static_cast<std::size_t>(place)]++)] = static_cast<int>(i);
+                list_[next[place]++] = static_cast<int>(i);
     }
     std::span<const int> endingAt(int place) const {
-        const auto p = static_cast<std::size_t>(place);
-        return std::span(list_).subspan(static_cast<std::size_t>(listStart_[p]),
+        const std::size_t p = place;
+        return std::span(list_).subspan(listStart_[p],
                                         static_cast<std::size_t>(listStart_[p + 1] - listStart_[p]));
     }
 
@@ -245,7 +245,7 @@ private:
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             left[i] = {stretches_[i]};
             for (; pair != pairs.end() && static_cast<std::size_t>(pair->first) == i; ++pair)
-                for (const Stretch& earlier : left[static_cast<std::size_t>(pair->second)]) {
+                for (const Stretch& earlier : left[pair->second]) {
                     std::vector<Stretch> rest;
                     for (const Stretch& own : left[i])
                         if (const auto parts = beside(own, earlier))
@@ -282,7 +282,7 @@ private:
     }
 
     int farEnd(int stretch, int place) const {
-        const PlacePair& ends = stretches_[static_cast<std::size_t>(stretch)].ends;
+        const PlacePair& ends = stretches_[stretch].ends;
         return ends.from == place ? ends.to : ends.from;
     }
 
@@ -326,9 +326,9 @@ private:
     }
 
     void lengthen(int stretch, int place, double more) {
-        TracePiece& piece = result_.pieces[static_cast<std::size_t>(stretch)];
+        TracePiece& piece = result_.pieces[stretch];
         const Point way = (at(place) - at(farEnd(stretch, place))).normalized();
-        if (stretches_[static_cast<std::size_t>(stretch)].ends.from == place) {
+        if (stretches_[stretch].ends.from == place) {
             piece.from = at(place) + more * way;
             piece.addedBefore = more;
         } else {
@@ -343,10 +343,10 @@ private:
         if (own.empty() || static_cast<std::size_t>(own.front()) < borders_) return;
         double more = 0.0;
         for (const auto& [samePlace, other] : near) {
-            const Stretch& target = stretches_[static_cast<std::size_t>(other)];
+            const Stretch& target = stretches_[other];
             const View view = viewOf(place, target);
             if (isAcross(place, target, view)) continue;
-            const int source = stretches_[static_cast<std::size_t>(own.front())].source;
+            const int source = stretches_[own.front()].source;
             if (std::abs(view.off) > 1e-3 * tolerance_)
                 note(CutNoteKind::PulledEnd, at(place), source, target.source, std::abs(view.off));
             const double wanted = offWanted(place, target, view);

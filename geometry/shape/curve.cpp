@@ -31,7 +31,7 @@ int edgesOf(double radius, double sweep, double sagitta) {
 
 /// de Boor's algorithm on homogeneous points (x·w, y·w, w) in the knot interval [i, i + 1), where i is `span`.
 Point splinePoint(const Spline& spline, std::size_t span, double t) {
-    const auto degree = static_cast<std::size_t>(spline.degree);
+    const std::size_t degree = spline.degree;
     std::vector<Eigen::Vector3d> d;
     for (std::size_t j = span - degree; j <= span; ++j) {
         const double w = spline.weights.empty() ? 1.0 : spline.weights[j];
@@ -51,7 +51,7 @@ public:
     SplineDrawing(const Spline& spline, double sagitta) : spline_(spline), sagitta_(sagitta) {}
 
     std::vector<Point> points() {
-        const auto degree = static_cast<std::size_t>(spline_.degree);
+        const std::size_t degree = spline_.degree;
         for (std::size_t span = degree; span < spline_.control.size(); ++span) {
             const double from = spline_.knots[span], to = spline_.knots[span + 1];
             if (!(to > from)) continue;
@@ -119,7 +119,7 @@ std::vector<Point> bulgePoints(const Point& a, const Point& b, double bulge, dou
 std::string splineProblem(const Spline& spline) {
     const std::size_t control = spline.control.size();
     if (spline.degree < 1 || spline.degree > 25) return "its degree is " + std::to_string(spline.degree);
-    const auto degree = static_cast<std::size_t>(spline.degree);
+    const std::size_t degree = spline.degree;
     if (control < degree + 1)
         return "it has " + std::to_string(control) + " of the " + std::to_string(degree + 1) +
                " control points that degree " + std::to_string(degree) + " needs";

@@ -35,7 +35,7 @@ public:
 private:
     const Point& corner(int i) const {
         const int n = static_cast<int>(corners_.size());
-        return corners_[static_cast<std::size_t>(((i % n) + n) % n)];
+        return corners_[((i % n) + n) % n];
     }
 
     bool onEdge(const Point& p, int edge) const {

@@ -42,7 +42,7 @@ public:
         if (!model_.hasSides) return isBetween(a, b);
         const auto& faces = model_.blocks[row].faceSides;
         if (faces.empty()) return false;
-        const std::optional<BoundarySide>& side = faces[static_cast<std::size_t>(e)];
+        const std::optional<BoundarySide>& side = faces[e];
         return side && isAsked(sides_, *side);
     }
 

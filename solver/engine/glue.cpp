@@ -110,9 +110,9 @@ private:
         l.b = glue_.b;
         l.ga = ga;
         l.gb = gb;
-        l.strain = strains[static_cast<std::size_t>(part)];
+        l.strain = strains[part];
         l.law.stiffness = stiffness;
-        l.law.offset = offsets[static_cast<std::size_t>(part)];
+        l.law.offset = offsets[part];
     }
 
     const GlueModel& glue_;
@@ -147,7 +147,7 @@ void addGlueEnergy(const Model& model, const State& state, StoredEnergy& energy)
 GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& edge) {
     const BlockModel& a = model.blocks[edge.a];
     const BlockModel& b = model.blocks[edge.b];
-    const Material& material = materialOf(scene, scene.blocks[static_cast<std::size_t>(a.rock)]);
+    const Material& material = materialOf(scene, scene.blocks[a.rock]);
     const double nu = material.poissonsRatio;
     const double modulus = material.youngsModulus / (scene.analysis.plane == Plane::Strain ? 1.0 - nu * nu : 1.0);
     const double shearModulus = 0.5 * material.youngsModulus / (1.0 + nu);
@@ -225,12 +225,12 @@ bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const S
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.kind != LinkKind::Glue) continue;
-        const GlueModel& glue = model.glue[static_cast<std::size_t>(link.owner)];
+        const GlueModel& glue = model.glue[link.owner];
         const GlueLine to = glueLine(glue, end[glue.a], end[glue.b]);
         const double arm = link.part == 2 ? 0.5 * glue.length : 1.0;
-        const double error = std::abs(strainsOf(to)[static_cast<std::size_t>(link.part)] - strains[i]);
+        const double error = std::abs(strainsOf(to)[link.part] - strains[i]);
         const double noise = placeDigits * (model.size + to.middle.norm()) / arm;
-        const auto rock = static_cast<std::size_t>(model.blocks[glue.a].rock);
+        const std::size_t rock = model.blocks[glue.a].rock;
         const double force = std::max(std::abs(respond(link.law, strains[i]).force),
                                       std::abs(respond(link.law, link.strain).force));
         most[rock] = std::max(most[rock], force / arm);

@@ -20,7 +20,7 @@ void fixBoundary(const Scene& scene, const Support& support, Model& model, Bound
         const std::vector<CutFace>& faces = scene.blocks[b].faces;
         const int row = model.firstOf[b], corners = static_cast<int>(faces.size());
         for (int e = 0; e < corners; ++e) {
-            if (!isOnSide(faces[static_cast<std::size_t>(e)], *support.boundary)) continue;
+            if (!isOnSide(faces[e], *support.boundary)) continue;
             if (support.fix == Fix::All) model.blocks[row].fixed = true;
             for (int corner : {e, (e + 1) % corners})
                 if (support.fix != Fix::All) {
@@ -53,20 +53,20 @@ void addSupports(const Scene& scene, Model& model) {
             continue;
         }
         if (support.blockAt) {
-            const auto block = static_cast<std::size_t>(blockAt(scene, *support.blockAt));
+            const std::size_t block = blockAt(scene, *support.blockAt);
             for (int row = model.firstOf[block]; row < model.firstOf[block + 1]; ++row) model.blocks[row].fixed = true;
             continue;
         }
         const int block = rowHolding(model, blockWithPoint(scene, *support.point), *support.point - model.origin);
-        const BlockModel& body = model.blocks[static_cast<std::size_t>(block)];
+        const BlockModel& body = model.blocks[block];
         const double stiffness = scene.analysis.penaltyRatio * body.youngsModulus * model.thickness;
         model.supports.push_back({block, *support.point - model.origin - body.centroid, support.fix != Fix::Y,
                               support.fix != Fix::X, stiffness});
     }
     for (const auto& [corner, axes] : corners) {
-        const BlockModel& body = model.blocks[static_cast<std::size_t>(corner.first)];
+        const BlockModel& body = model.blocks[corner.first];
         const double stiffness = scene.analysis.penaltyRatio * body.youngsModulus * model.thickness;
-        model.supports.push_back({corner.first, body.shape[static_cast<std::size_t>(corner.second)], axes.first,
+        model.supports.push_back({corner.first, body.shape[corner.second], axes.first,
                               axes.second, stiffness});
     }
 }
@@ -100,7 +100,7 @@ Point startOf(const Model& model, const PointSupport& support) {
 }
 
 double supportStrain(const Model& model, const BlockMotion& block, const Link& link) {
-    const PointSupport& point = model.supports[static_cast<std::size_t>(link.owner)];
+    const PointSupport& point = model.supports[link.owner];
     return (materialPoint(block, point.place) - startOf(model, point))[link.part];
 }
 

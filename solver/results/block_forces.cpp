@@ -26,10 +26,10 @@ public:
     }
 
 private:
-    const Point& centroid(int block) const { return frame_.blocks[static_cast<std::size_t>(block)].centroid; }
+    const Point& centroid(int block) const { return frame_.blocks[block].centroid; }
 
     void add(const BlockForce& row) {
-        if (row.block < 0 || frame_.blocks[static_cast<std::size_t>(row.block)].area == 0.0) return;
+        if (row.block < 0 || frame_.blocks[row.block].area == 0.0) return;
         if (row.force.isZero(0.0) && row.moment == 0.0) return;
         rows_.push_back(row);
     }
@@ -40,7 +40,7 @@ private:
 
     void addBodies() {
         for (int block = 0; block < static_cast<int>(frame_.forces.bodies.size()); ++block) {
-            const BodyForce& body = frame_.forces.bodies[static_cast<std::size_t>(block)];
+            const BodyForce& body = frame_.forces.bodies[block];
             add({block, ForceSource::Weight, -1, centroid(block), body.weight, 0.0});
             add({block, ForceSource::Inertia, -1, centroid(block), body.inertia, body.inertiaMoment});
         }

@@ -18,8 +18,8 @@ std::vector<int> heldBlocks(const std::vector<BoltNodeFrame>& nodes, const Solve
     std::vector<int> passed;  // starting at the far end
     for (const BoltNodeFrame& node : nodes) {
         if (node.block < 0) continue;
-        const int block = solved.blocks[static_cast<std::size_t>(node.block)].block;
-        const int row = solved.firstOf[static_cast<std::size_t>(block)];
+        const int block = solved.blocks[node.block].block;
+        const int row = solved.firstOf[block];
         if (std::find(passed.begin(), passed.end(), row) == passed.end()) passed.push_back(row);
     }
     if (!passed.empty()) passed.erase(passed.begin());

@@ -10,7 +10,7 @@ std::vector<std::vector<std::size_t>> causeChains(std::span<const Event> events)
     for (std::size_t i = 0; i < events.size(); ++i) {
         const long cause = events[i].cause;
         const bool caused = cause >= 0 && static_cast<std::size_t>(cause) < i;  // a cause precedes its effect
-        chainOf[i] = caused ? chainOf[static_cast<std::size_t>(cause)] : chains.size();
+        chainOf[i] = caused ? chainOf[cause] : chains.size();
         if (!caused) chains.emplace_back();
         chains[chainOf[i]].push_back(i);
     }

@@ -40,14 +40,14 @@ Measurement atFirst(const Quantity& quantity, std::span<const HistoryRow> histor
         return problem("no " + std::string(rowOf(kind).key) + " happened");
     if (found->historyRow < 0 || static_cast<std::size_t>(found->historyRow) >= history.size())
         return problem("the history has no row before the event");
-    return {history[static_cast<std::size_t>(found->historyRow)].values[column], ""};
+    return {history[found->historyRow].values[column], ""};
 }
 
 }  // namespace
 
 Measurement measure(const Quantity& quantity, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events) {
-    const auto column = static_cast<std::size_t>(historyColumn(scene, quantity.subject));
+    const std::size_t column = historyColumn(scene, quantity.subject);
     if (quantity.reduction == Reduction::First)
         return atFirst(quantity, history, events, column);
     return reduced(quantity.reduction, history, column);

@@ -56,7 +56,7 @@ std::optional<EventKind> eventKindOf(std::string_view word) {
 std::optional<Outcome> outcomeOf(std::string_view word) { return valueOf<Outcome>(outcomeWords, word); }
 
 std::string blockName(const std::vector<std::string>& names, int block) {
-    return holds(names, block) ? names[static_cast<std::size_t>(block)] : "";
+    return holds(names, block) ? names[block] : "";
 }
 
 std::string boltName(const Scene& scene, int bolt) { return holds(scene.bolts, bolt) ? scene.bolts[bolt].name : ""; }

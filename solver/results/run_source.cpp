@@ -26,7 +26,7 @@ std::size_t stageBehind(const Scene& scene, const StageResult& result) {
 }
 
 bool goesOn(const Scene& scene, const StageResult& result) {
-    const Stage& stage = scene.stages[static_cast<std::size_t>(result.stage)];
+    const Stage& stage = scene.stages[result.stage];
     const std::size_t next = stageBehind(scene, result);
     if (next < scene.stages.size() && scene.stages[next].followsCollapse) return true;
     if (endedUnstable(result.outcome) || (stage.followsCollapse && endedAsPlanned(result.outcome)))

@@ -82,7 +82,7 @@ std::vector<RowMoment> momentsOf(const std::vector<Timed>& rows) {
 }
 
 void writeHistory(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
-    const auto shown = static_cast<std::size_t>(run.columns().monitorValues);
+    const std::size_t shown = run.columns().monitorValues;
     const std::vector<HistoryRow> rows = run.history();
     for (const std::size_t i : selected(momentsOf(rows), filter, When::All)) {
         beginRow(csv, run.scene(), {rows[i].stage, rows[i].time});
@@ -116,7 +116,7 @@ void writeEvents(const RunSource& run, const TableFilter& filter, CsvWriter& csv
 void writeBoltRows(const RunSource& run, const Frame& frame, int bolt, CsvWriter& csv) {
     const Scene& scene = run.scene();
     int index = 0;
-    for (const BoltNodeFrame& node : frame.bolts[static_cast<std::size_t>(bolt)].nodes) {
+    for (const BoltNodeFrame& node : frame.bolts[bolt].nodes) {
         beginRow(csv, scene, {frame.stage, frame.time});
         csv.text(boltName(scene, bolt)).index(index++).number(node.s);
         csv.number(node.position.x()).number(node.position.y()).text(blockName(run.blockNames(), node.block));
@@ -135,7 +135,7 @@ void writeBolts(const RunSource& run, const Frame& frame, const TableFilter& fil
 
 void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
     for (int index = 0; index < static_cast<int>(frame.blocks.size()); ++index) {
-        const BlockState& block = frame.blocks[static_cast<std::size_t>(index)];
+        const BlockState& block = frame.blocks[index];
         if (block.area == 0.0) continue;  // not active
         beginRow(csv, run.scene(), {frame.stage, frame.time});
         csv.text(blockName(run.blockNames(), index)).number(block.centroid.x()).number(block.centroid.y());
@@ -145,7 +145,7 @@ void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, C
 
 std::string jointMaterialName(const Scene& scene, int index) {
     if (index == intactJoint) return "intact";
-    return index < 0 ? "" : scene.jointMaterials[static_cast<std::size_t>(index)].first;
+    return index < 0 ? "" : scene.jointMaterials[index].first;
 }
 
 void writeContacts(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {

@@ -45,7 +45,7 @@ std::vector<StageWarning> stageWarnings(const RunSource& run) {
         const StageResult& result = record.result;
         const std::string in = " in stage '" + stageName(run.scene(), result.stage) + "'";
         const WorstBalance& worst = result.health.worst;
-        const Until& until = run.scene().stages[static_cast<std::size_t>(result.stage)].until;
+        const Until& until = run.scene().stages[result.stage].until;
         const double allowed = until.body.value_or(automaticBody);
         if (worst.block >= 0 && worst.share > allowed * (1.0 + 1e-9))
             warnings.push_back({result.stage, "block " + blockName(run.blockNames(), worst.block) + " has " +

@@ -43,16 +43,16 @@ public:
 private:
     /// Adds a block with all its cells.
     void addBlock(int first) {
-        const int block = solved_.blocks[static_cast<std::size_t>(first)].block;
+        const int block = solved_.blocks[first].block;
         for (std::size_t row = 0; row < moves_.size(); ++row)
             if (solved_.blocks[row].block == block && solved_.blocks[row].plateOf < 0) moves_[row] = 1;
     }
 
     int firstRow(int row) const {
-        return solved_.firstOf[static_cast<std::size_t>(solved_.blocks[static_cast<std::size_t>(row)].block)];
+        return solved_.firstOf[solved_.blocks[row].block];
     }
 
-    bool moves(int row) const { return moves_[static_cast<std::size_t>(row)] != 0; }
+    bool moves(int row) const { return moves_[row] != 0; }
 
     void addJoints(const Frame& after, std::vector<FailedJoint>& joints) const {
         std::vector<int> rows;
@@ -61,7 +61,7 @@ private:
         std::map<std::pair<int, int>, FailedJoint> found;
         std::map<int, double> largest;  // per block: largest movement of its joints
         for (const MovingJoint& joint : jointsAround(run_.frame(*first_), after, rows)) {
-            if (solved_.blocks[static_cast<std::size_t>(joint.blockB)].plateOf >= 0) continue;
+            if (solved_.blocks[joint.blockB].plateOf >= 0) continue;
             FailedJoint& one = found[{firstRow(joint.blockA), firstRow(joint.blockB)}];
             if (std::hypot(joint.slip, joint.opening) > std::hypot(one.slip, one.opening)) one.position = joint.position;
             one.slip = std::max(one.slip, joint.slip);
@@ -85,7 +85,7 @@ private:
         std::vector<Event> events = run_.events();
         std::erase_if(events, [&](const Event& event) { return event.stage > stage_ || event.bolt < 0; });
         for (int b = 0; b < static_cast<int>(installed.size()); ++b) {
-            const std::vector<BoltNodeFrame>& nodes = installed[static_cast<std::size_t>(b)];
+            const std::vector<BoltNodeFrame>& nodes = installed[b];
             const auto isIn = [&](bool moving) {
                 return std::ranges::any_of(nodes, [&](const BoltNodeFrame& node) {
                     return node.block >= 0 && moves(node.block) == moving;
@@ -98,7 +98,7 @@ private:
                     events, [&](const Event& e) { return e.bolt == b && e.kind == row.kind; });
                 if (event != events.end()) bolts.push_back({b, row.kind, event->stage, event->time});
             }
-            const bool plate = after.bolts[static_cast<std::size_t>(b)].plateHolds;
+            const bool plate = after.bolts[b].plateHolds;
             for (const bool moving : {true, false})
                 if (const Event* last = debonded(b, nodes, moving, plate, events)) {
                     bolts.push_back({b, EventKind::Debonding, last->stage, last->time});

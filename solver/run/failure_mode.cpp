@@ -152,7 +152,7 @@ std::vector<Touch> touchesOf(const Frame& frame, std::size_t a, std::size_t b) {
 std::vector<MovingJoint> jointsAround(const Frame& before, const Frame& after, const std::vector<int>& rows) {
     std::vector<MovingJoint> joints;
     for (const int row : rows) {
-        const auto a = static_cast<std::size_t>(row);
+        const std::size_t a = row;
         for (std::size_t b = 0; b < before.blocks.size(); ++b) {
             if (std::ranges::find(rows, static_cast<int>(b)) != rows.end()) continue;
             if (!isThere(before.blocks[a]) || !isThere(after.blocks[a]) || !isThere(before.blocks[b]) ||
@@ -186,7 +186,7 @@ FailureMode failureMode(const Frame& before, const Frame& after, const Point& do
             {static_cast<int>(i), movementOf(displacement, rotation, sizeOf(to), down), displacement, rotation});
     }
     keepLargest(mode.blocks, [&](const MovingBlock& block) {
-        const BlockState& there = after.blocks[static_cast<std::size_t>(block.block)];
+        const BlockState& there = after.blocks[block.block];
         return block.displacement.norm() + std::abs(block.rotation) * sizeOf(there);
     });
     mode.joints = jointsBetween(before, after);

@@ -37,7 +37,7 @@ public:
     FrameForces take() { return std::move(forces_); }
 
 private:
-    BodyForce& body(const SingleForce& single) { return forces_.bodies[static_cast<std::size_t>(single.force.block)]; }
+    BodyForce& body(const SingleForce& single) { return forces_.bodies[single.force.block]; }
 
     /// Bolts that are not installed have nodes in the engine but none in a frame.
     void addNodeRows(std::size_t bolt) {
@@ -50,11 +50,11 @@ private:
     }
 
     void addContact(const SingleForce& single) {
-        const int row = contactRows_[static_cast<std::size_t>(single.part)];
+        const int row = contactRows_[single.part];
         if (row < 0) return addOther(single);
         if (!moves_) return;
-        const bool isA = state_.contacts[static_cast<std::size_t>(single.part)].blockA == single.force.block;
-        ContactStepForce& step = forces_.contacts[static_cast<std::size_t>(row)];
+        const bool isA = state_.contacts[single.part].blockA == single.force.block;
+        ContactStepForce& step = forces_.contacts[row];
         if (isA) step.force = single.force.force;
         (isA ? step.momentA : step.momentB) = single.force.moment;
     }
@@ -65,14 +65,14 @@ private:
     }
 
     void addBolt(const SingleForce& single) {
-        const int row = single.part < 0 ? -1 : nodeRows_[static_cast<std::size_t>(single.part)];
-        if (row < 0 || nodeBlocks_[static_cast<std::size_t>(row)] != single.force.block) return addOther(single);
-        forces_.nodes[static_cast<std::size_t>(row)] = single.force.force;
+        const int row = single.part < 0 ? -1 : nodeRows_[single.part];
+        if (row < 0 || nodeBlocks_[row] != single.force.block) return addOther(single);
+        forces_.nodes[row] = single.force.force;
     }
 
     void addOther(const SingleForce& single) {
         BlockForce force = single.force;
-        force.position += frame_.blocks[static_cast<std::size_t>(force.block)].centroid;
+        force.position += frame_.blocks[force.block].centroid;
         forces_.others.push_back(force);
     }
 

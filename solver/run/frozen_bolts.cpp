@@ -95,7 +95,7 @@ public:
 private:
     int rocks() const { return solved_.firstOf.back(); }
     std::size_t rockOf(int row) const {
-        return static_cast<std::size_t>(solved_.blocks[static_cast<std::size_t>(row)].block);
+        return solved_.blocks[row].block;
     }
 
     /// A face plate that is a block of its own touches the rock like any other block.
@@ -105,7 +105,7 @@ private:
     }
 
     FrozenForce frozen(const BlockForce& force, const StageFrames& stage) const {
-        const auto row = static_cast<std::size_t>(force.block);
+        const std::size_t row = force.block;
         const BlockState &before = stage.first.blocks[row], &now = stage.last.blocks[row];
         const Point at = placeAtFreezing(before, now, force.position);
         return {force.block, pointInside(before.points), withinOutline(cut_.blocks[rockOf(force.block)].points, at),
@@ -119,7 +119,7 @@ private:
 
 void addLoads(const std::vector<FrozenForce>& forces, const Table& table, const Frame& now, Stage& stage) {
     for (const FrozenForce& force : forces) {
-        if (now.blocks[static_cast<std::size_t>(force.row)].area == 0.0) continue;  // excavated
+        if (now.blocks[force.row].area == 0.0) continue;  // excavated
         Load load;
         load.blockAt = force.blockAt;
         load.at = force.at;
@@ -138,7 +138,7 @@ const Change& changeIn(const Scene& scene, std::size_t stage) {
 bool namesBolt(const std::string& quantity, const Scene& cut) {
     const std::optional<Quantity> read = readQuantity(quantity, cut).quantity;
     if (!read) return false;
-    return read->subject.bolt >= 0 || cut.monitors[static_cast<std::size_t>(read->subject.monitor)].bolt.has_value();
+    return read->subject.bolt >= 0 || cut.monitors[read->subject.monitor].bolt.has_value();
 }
 
 void dropBolts(Scene& scene, const Scene& cut) {

@@ -128,7 +128,7 @@ struct Nature {
 
 /// True for a bond as strong as the rock is stiff, which no strain within the range of the model would break.
 bool unbreakable(const Model& model, const State& state, const Limit& limit) {
-    const Contact& c = state.contacts[static_cast<std::size_t>(limit.owner)];
+    const Contact& c = state.contacts[limit.owner];
     const JointModel& joint = model.joints[c.joint];
     const double modulus = std::min(model.blocks[c.blockA].youngsModulus, model.blocks[c.blockB].youngsModulus);
     return std::min(joint.cohesion, joint.tensileStrength) >= modulus;

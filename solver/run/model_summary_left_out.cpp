@@ -126,8 +126,8 @@ private:
             for (const Motion& motion : stage.motions) {
                 const int block = blockAt(scene_, motion.blockAt);
                 if (block < 0) continue;
-                way[static_cast<std::size_t>(block)] = 1;
-                if (motion.rotation == Rotation::Held) turn[static_cast<std::size_t>(block)] = 1;
+                way[block] = 1;
+                if (motion.rotation == Rotation::Held) turn[block] = 1;
             }
         return static_cast<int>(std::count(way.begin(), way.end(), 1) + std::count(turn.begin(), turn.end(), 1));
     }

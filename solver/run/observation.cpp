@@ -39,7 +39,7 @@ ContactFrame contactFrame(const Contact& c, const Model& model, const State& sta
     f.blockB = c.blockB;
     f.jointMaterial = c.joint < builtInRow(model) ? c.joint : c.joint == intactRow(model) ? intactJoint : builtInJoint;
     f.position = c.position + model.origin;
-    f.normal = edgeOf(state.blocks[static_cast<std::size_t>(c.blockB)].corners, c.edge).outward;
+    f.normal = edgeOf(state.blocks[c.blockB].corners, c.edge).outward;
     f.state = contactState(c);
     const ContactForces forces = forcesAtCorner(state.contacts, c);
     f.normalForce = forces.normal;
@@ -68,7 +68,7 @@ Observation::Observation(const Scene& scene, const Model& model, const State& st
             const int block = blockWithPoint(scene, p);
             const Point own = p - model.origin;
             const int row = rowHolding(model, block, own);
-            fixed[which] = {row, materialPlace(start.blocks[static_cast<std::size_t>(row)], own)};
+            fixed[which] = {row, materialPlace(start.blocks[row], own)};
         };
         if (monitor.point) fix(0, *monitor.point);
         if (monitor.between) {
@@ -83,7 +83,7 @@ Observation::Observation(const Scene& scene, const Model& model, const State& st
 Point Observation::pointNow(const State& state, std::size_t monitor, std::size_t which) const {
     const Fixed& fixed = fixed_[monitor][which];
     if (fixed.block < 0) return {0.0, 0.0};
-    return materialPoint(state.blocks[static_cast<std::size_t>(fixed.block)], fixed.place);
+    return materialPoint(state.blocks[fixed.block], fixed.place);
 }
 
 Point Observation::moved(const State& state, std::size_t monitor, std::size_t which) const {
@@ -102,7 +102,7 @@ void Observation::zero(const State& state) {
 
 /// The state of a block without its outline.
 BlockState Observation::blockMoved(const State& state, int index) const {
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     const BlockMotion& motion = state.blocks[i];
     BlockState block;
     block.centroid = motion.centroid + model_.origin;
@@ -114,7 +114,7 @@ BlockState Observation::blockMoved(const State& state, int index) const {
 }
 
 BlockState Observation::blockState(const State& state, int index) const {
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     const BlockMotion& motion = state.blocks[i];
     if (motion.absent) return {};
     BlockState block = blockMoved(state, index);
@@ -156,7 +156,7 @@ void Observation::addMonitor(const State& state, std::size_t index, std::vector<
     } else {
         const auto same = std::find_if(scene_.bolts.begin(), scene_.bolts.end(),
                                        [&](const Bolt& b) { return b.name == *monitor.bolt; });
-        const auto b = static_cast<std::size_t>(same - scene_.bolts.begin());
+        const std::size_t b = same - scene_.bolts.begin();
         const bool placed = monitor.at || monitor.atFromHead || monitor.atFraction;
         values.push_back(placed ? boltValueAt(model_.bolts[b], state.bolts[b], monitor.quantity,
                                               distanceAlong(monitor, model_.bolts[b].s.back()))

@@ -13,7 +13,7 @@ namespace keyblock {
 namespace {
 
 bool isInTunnel(const Scene& scene, const BlockModel& block) {
-    return block.rock >= 0 && block.plateOf < 0 && !scene.blocks[static_cast<std::size_t>(block.rock)].tunnels.empty();
+    return block.rock >= 0 && block.plateOf < 0 && !scene.blocks[block.rock].tunnels.empty();
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Frame previewFrame(const Scene& scene) {
         if (isInTunnel(scene, model.blocks[b])) frame.blocks[b].area = 0.0;
     for (BoltFrame& bolt : frame.bolts)
         for (BoltNodeFrame& node : bolt.nodes)
-            if (node.block >= 0 && isInTunnel(scene, model.blocks[static_cast<std::size_t>(node.block)]))
+            if (node.block >= 0 && isInTunnel(scene, model.blocks[node.block]))
                 node.block = -1;
     return frame;
 }

@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    const Stage& stage() const { return scene_.stages[static_cast<std::size_t>(now_.stage)]; }
+    const Stage& stage() const { return scene_.stages[now_.stage]; }
     bool isStatic() const { return stage().kind == StageKind::Static; }
     double duration() const { return isStatic() ? 1.0 : stage().duration; }
 
@@ -247,7 +247,7 @@ private:
                           {}};
         if (excess->block >= 0) {
             failed.message +=
-                "; the largest share is near block " + model_.blocks[static_cast<std::size_t>(excess->block)].name;
+                "; the largest share is near block " + model_.blocks[excess->block].name;
             failed.blocks.push_back(excess->block);
         }
         failed.message += ": use a 'time_step' of " + rounded(0.5 * dynamicSettings(scene_, stage()).timeStep) +
@@ -275,7 +275,7 @@ private:
     /// Loads at the start and the end of the increment.
     LoadPoint loadsBefore() const { return now_.increment == 0 ? loads_.start() : loads_.at(times_[increment() - 1]); }
     LoadPoint loadsAfter() const { return loads_.at(times_[increment()]); }
-    std::size_t increment() const { return static_cast<std::size_t>(now_.increment); }
+    std::size_t increment() const { return now_.increment; }
 
     LoadPoint loadsReached() const {
         if (!isStatic()) return loads_.at(now_.time);
@@ -361,7 +361,7 @@ private:
         result.blocks.clear();
         for (const UnstableBlock& one : result.unstable) {
             result.blocks.push_back(one.block);
-            result.message += " " + model_.blocks[static_cast<std::size_t>(one.block)].name;
+            result.message += " " + model_.blocks[one.block].name;
         }
     }
 
@@ -374,7 +374,7 @@ private:
         event.cause = ending.cause;
         if (!result.blocks.empty()) {
             event.block = result.blocks.front();
-            event.position = now_.state.blocks[static_cast<std::size_t>(event.block)].centroid;
+            event.position = now_.state.blocks[event.block].centroid;
         }
         beforeEvent(now_.state, now_.time);
         this->event(event, now_.state, now_.time);

@@ -10,9 +10,9 @@ void Sink::resume(const Scene& scene, const HistoryColumns& columns, const Check
 
 void MemorySink::resume(const Scene&, const HistoryColumns& columns, const Checkpoint& from) {
     results.columns = columns;
-    results.events.resize(static_cast<std::size_t>(from.written.events));
-    results.history.resize(static_cast<std::size_t>(from.written.historyRows));
-    results.frames.resize(static_cast<std::size_t>(from.written.frames));
+    results.events.resize(from.written.events);
+    results.history.resize(from.written.historyRows);
+    results.frames.resize(from.written.frames);
     results.stages = from.results;
 }
 

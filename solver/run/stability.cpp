@@ -23,7 +23,7 @@ constexpr double namedMove = 0.05;
 constexpr double slow = 0.02;  // [m/s]; a block that moves faster at the end of a dynamic stage may be unstable
 constexpr double touching = 10.0;  // times the geometric tolerance
 
-std::size_t at(int row) { return static_cast<std::size_t>(row); }
+std::size_t at(int row) { return row; }
 
 bool touches(const Model& model, const Contact& c) {
     return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= touching * model.tolerance;

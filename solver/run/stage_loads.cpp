@@ -59,7 +59,7 @@ void dropRows(const std::vector<char>& drop, Rows& rows, Others&... others) {
 
 int StageLoads::blockHolding(const State& state, const Point& place) const {
     const Point p = place - model_.origin;
-    const auto rocks = static_cast<std::size_t>(model_.firstOf.back());  // points are in rock, never in a face plate
+    const std::size_t rocks = model_.firstOf.back();  // points are in rock, never in a face plate
     const auto stands = [&](std::size_t block) { return !state.blocks[block].absent; };
     for (std::size_t i = 0; i < rocks; ++i)
         if (stands(i) && locate(state.blocks[i].corners, p, model_.tolerance) == Side::Inside) return static_cast<int>(i);
@@ -72,19 +72,19 @@ int StageLoads::blockHolding(const State& state, const Point& place) const {
 }
 
 const Load& StageLoads::loadOf(const LoadSource& source) const {
-    return scene_.stages[static_cast<std::size_t>(source.stage)].loads[static_cast<std::size_t>(source.row)];
+    return scene_.stages[source.stage].loads[source.row];
 }
 
 /// The line is given in the geometry of the scene, so edges are searched at their original positions, wherever they are
 /// now.
 void StageLoads::addPressure(int row, const State& state) {
-    const Load& load = stage().loads[static_cast<std::size_t>(row)];
+    const Load& load = stage().loads[row];
     const Point a = (*load.along)[0] - model_.origin, b = (*load.along)[1] - model_.origin;
     for (std::size_t i = 0; i < static_cast<std::size_t>(model_.firstOf.back()); ++i) {
         if (state.blocks[i].absent) continue;
         const std::vector<Point> corners = startCorners(model_.blocks[i]);
         for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
-            if (!model_.blocks[i].inner.empty() && model_.blocks[i].inner[static_cast<std::size_t>(e)]) continue;
+            if (!model_.blocks[i].inner.empty() && model_.blocks[i].inner[e]) continue;
             const Edge edge = edgeOf(corners, e);
             const double near = 10.0 * model_.tolerance;
             if (std::abs(edge.outward.dot(a - edge.start)) > near || std::abs(edge.outward.dot(b - edge.start)) > near)
@@ -103,7 +103,7 @@ void StageLoads::addPressure(int row, const State& state) {
 }
 
 void StageLoads::addLoad(int row, const State& state) {
-    const Load& load = stage().loads[static_cast<std::size_t>(row)];
+    const Load& load = stage().loads[row];
     if (load.along) {
         replace(load, -1);
         addPressure(row, state);
@@ -117,20 +117,20 @@ void StageLoads::addLoad(int row, const State& state) {
         return;
     }
     const Point at = load.point ? *load.point : *load.at;
-    const int holding = load.at && model_.blocks[static_cast<std::size_t>(block)].cell ? blockHolding(state, at) : block;
-    const BlockMotion& motion = state.blocks[static_cast<std::size_t>(holding)];
+    const int holding = load.at && model_.blocks[block].cell ? blockHolding(state, at) : block;
+    const BlockMotion& motion = state.blocks[holding];
     addForce({holding, materialPlace(motion, at - model_.origin), load.force}, row);
 }
 
 /// Applies the load at the block's centroid, or at the centroids of its cells in proportion to their mass.
 void StageLoads::addSpread(int row, int block) {
-    const Point& force = stage().loads[static_cast<std::size_t>(row)].force;
-    const BlockModel& named = model_.blocks[static_cast<std::size_t>(block)];
+    const Point& force = stage().loads[row].force;
+    const BlockModel& named = model_.blocks[block];
     if (!named.cell) {
         addForce({block, {0.0, 0.0}, force}, row);
         return;
     }
-    const auto rock = static_cast<std::size_t>(named.rock);
+    const std::size_t rock = named.rock;
     double mass = 0.0;
     for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) mass += model_.blocks[cell].mass;
     for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell)
@@ -155,7 +155,7 @@ void StageLoads::replace(const Load& load, int block) {
 }
 
 void StageLoads::addMotion(int row, State& state) {
-    const Motion& motion = stage().motions[static_cast<std::size_t>(row)];
+    const Motion& motion = stage().motions[row];
     const int block = blockHolding(state, motion.blockAt);
     for (std::size_t i = 0; i < memory_.loads.motions.size(); ++i) {
         if (memory_.loads.motions[i].block != block) continue;
@@ -166,7 +166,7 @@ void StageLoads::addMotion(int row, State& state) {
         break;
     }
     const PrescribedMotion prescribed{block, motion.axis.normalized(), motion.rotation == Rotation::Held};
-    turnUnknowns(state.blocks[static_cast<std::size_t>(block)], prescribed.axis);
+    turnUnknowns(state.blocks[block], prescribed.axis);
     memory_.loads.motions.push_back(prescribed);
     memory_.motionSources.push_back({memory_.stage, row});
     memory_.start.motions.push_back(displacementAlong(model_, state, prescribed));
@@ -260,7 +260,7 @@ void StageLoads::forgetReplaced() {
 /// Displacement of the block along the axis of its motion from its start to the point at which displacements were last
 /// reset.
 double StageLoads::zeroOf(const PrescribedMotion& motion) const {
-    const auto block = static_cast<std::size_t>(motion.block);
+    const std::size_t block = motion.block;
     return memory_.zero.empty() ? 0.0 : motion.axis.dot(memory_.zero[block] - model_.blocks[block].centroid);
 }
 
@@ -295,7 +295,7 @@ LoadPoint StageLoads::at(double time) const {
     fill(point.pressures, memory_.pressureSources);
     for (std::size_t i = 0; i < memory_.motionSources.size(); ++i) {
         if (memory_.motionSources[i].stage != memory_.stage) continue;
-        const Table& table = stage().motions[static_cast<std::size_t>(memory_.motionSources[i].row)].table;
+        const Table& table = stage().motions[memory_.motionSources[i].row].table;
         point.motions[i] = zeroOf(memory_.loads.motions[i]) + valueAt(table, time);
     }
     addOpenings(time, point);
@@ -313,7 +313,7 @@ std::vector<const Table*> StageLoads::tables() const {
             if (source.stage == memory_.stage) found.push_back(&tableOf(loadOf(source).table));
     for (const LoadSource& source : memory_.motionSources)
         if (source.stage == memory_.stage)
-            found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
+            found.push_back(&stage().motions[source.row].table);
     return found;
 }
 

@@ -67,7 +67,7 @@ public:
 
 private:
     const Stage& stage() const { return stageAt(memory_.stage); }
-    const Stage& stageAt(int index) const { return scene_.stages[static_cast<std::size_t>(index)]; }
+    const Stage& stageAt(int index) const { return scene_.stages[index]; }
     const Load& loadOf(const LoadSource& source) const;
     void addWalls(const std::vector<WallForce>& walls, int stage);
     void addLoad(int row, const State& state);

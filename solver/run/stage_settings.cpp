@@ -69,7 +69,7 @@ double frameInterval(const Scene& scene, const Stage& stage) {
 long plannedFrames(const Scene& scene, int stage) {
     double planned = 0.0;
     for (int s = 0; s <= stage; ++s) {
-        const Stage& one = scene.stages[static_cast<std::size_t>(s)];
+        const Stage& one = scene.stages[s];
         const bool isStatic = one.kind == StageKind::Static;
         const double frames = (isStatic ? 1.0 : one.duration) / frameInterval(scene, one);
         planned += isStatic && one.increments ? std::min<double>(frames, *one.increments) : frames;
@@ -92,7 +92,7 @@ std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const
 }
 
 void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state) {
-    const auto rock = static_cast<std::size_t>(blockAt(scene, initial.blockAt));
+    const std::size_t rock = blockAt(scene, initial.blockAt);
     const int first = model.firstOf[rock], end = model.firstOf[rock + 1];
     Point middle{0.0, 0.0};  // mass times centroid, summed over the block or its cells
     double mass = 0.0;

@@ -37,7 +37,7 @@ bool ties(const Model& model, const BoltMotion& bolt, int block) {
     for (std::size_t n = 0; n < bolt.nodes.size(); ++n) {
         if (n > 0 && bolt.elements[n - 1].ruptured) inside = elsewhere = false;
         if (const int slot = bolt.nodes[n].slot; slot >= 0) {
-            const bool own = wholeOf(model, bolt.slots[static_cast<std::size_t>(slot)].block) == block;
+            const bool own = wholeOf(model, bolt.slots[slot].block) == block;
             (own ? inside : elsewhere) = true;
         }
         if (inside && elsewhere) return true;
@@ -62,7 +62,7 @@ Watch::Watch(const Model& model, const State& start, WatchMemory& memory) : mode
     for (const BoltMotion& bolt : start.bolts) {
         std::vector<char> held(bolt.slots.size(), 0);
         for (const BoltNode& node : bolt.nodes)
-            if (node.slot >= 0) held[static_cast<std::size_t>(node.slot)] = 1;
+            if (node.slot >= 0) held[node.slot] = 1;
         memory_.inhabited.push_back(std::move(held));
     }
 }
@@ -123,11 +123,11 @@ void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
         if (!acts(bolt)) continue;
         memory_.inhabited[b].resize(bolt.slots.size(), 0);  // adds blocks that the bolt has entered since
         for (const BoltNode& node : bolt.nodes)
-            if (node.slot >= 0) memory_.inhabited[b][static_cast<std::size_t>(node.slot)] = 1;
+            if (node.slot >= 0) memory_.inhabited[b][node.slot] = 1;
         for (std::size_t s = 0; s < bolt.slots.size(); ++s) {
             if (!memory_.inhabited[b][s] || bolt.leftSlot[s]) continue;
             const auto isIn = [&](int slot, std::size_t of) {  // this slot or that of another cell of the block
-                const int own = bolt.slots[static_cast<std::size_t>(slot)].block;
+                const int own = bolt.slots[slot].block;
                 const bool sameBlock = model_.blocks[own].cell && sameRock(model_, own, bolt.slots[of].block);
                 return slot == static_cast<int>(of) || sameBlock;
             };
@@ -140,7 +140,7 @@ void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
             event.kind = EventKind::PulledOut;
             event.bolt = static_cast<int>(b);
             event.block = bolt.slots[s].block;
-            const BlockMotion& rock = state.blocks[static_cast<std::size_t>(event.block)];
+            const BlockMotion& rock = state.blocks[event.block];
             event.position = materialPoint(rock, bolt.slots[s].p3);
             events.push_back(event);
         }

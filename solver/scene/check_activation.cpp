@@ -115,7 +115,7 @@ private:
         alone.excavate = {name};
         const std::vector<int> blocks = excavatedBlocks(scene_, alone);
         for (int block : blocks)
-            gone_[static_cast<std::size_t>(block)] = true;
+            gone_[block] = true;
         if (blocks.empty())
             context_.report.warning(at,
                                     "no block lies in the tunnel " + inQuotes(name) + ", so nothing is excavated",
@@ -132,7 +132,7 @@ private:
         if (!removed_.exists(name, at))
             return;
         for (int index : boltsNamed(scene_, name)) {
-            const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
+            const Bolt& bolt = scene_.bolts[index];
             if (isInstalledLater(scene_, bolt) && !installed_.has(bolt.name))
                 removed_.tell(at, "the bolt " + inQuotes(name) + " is not installed yet",
                               "Remove it after the stage that installs it");
@@ -144,7 +144,7 @@ private:
         if (!installed_.exists(name, at))
             return;
         for (int index : boltsNamed(scene_, name)) {
-            const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
+            const Bolt& bolt = scene_.bolts[index];
             installed_.once(bolt.name, stage.name, "is installed", at);
             if (context_.allSound() && runsThroughRock(bolt, context_, {}) && !runsThroughRock(bolt, context_, gone_))
                 installed_.tell(at, "all rock that the bolt " + inQuotes(bolt.name) + " runs through is excavated "

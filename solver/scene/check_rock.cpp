@@ -101,8 +101,8 @@ void checkOverlaps(CheckContext& context) {
     if (boxes.empty())
         return;
     for (const auto& [first, second] : BoxGrid(boxes).meetingPairs()) {
-        const std::size_t a = blocks[static_cast<std::size_t>(first)];
-        const std::size_t b = blocks[static_cast<std::size_t>(second)];
+        const std::size_t a = blocks[first];
+        const std::size_t b = blocks[second];
         if (overlap(context.scene.blocks[a].points, context.scene.blocks[b].points, context.tolerance))
             context.report.error(under("/blocks", b),
                                  "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) +
@@ -138,7 +138,7 @@ void checkBlockSupport(const Support& support, const std::string& pointer, Check
                              "Write \"fix\": \"all\", or give \"point\" instead of \"block_at\"");
     const int block = checkBlockAt(context, *support.blockAt, under(pointer, "block_at"));
     if (block >= 0)
-        context.fixed[static_cast<std::size_t>(block)] = true;
+        context.fixed[block] = true;
 }
 
 void checkBoundarySupport(const Support& support, const std::string& pointer, CheckContext& context) {

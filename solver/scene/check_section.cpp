@@ -170,7 +170,7 @@ void checkPattern(const ScenePattern& pattern, const std::string& pointer, Check
     const int tunnel = findTunnel(scene, pattern.tunnel);
     if (problem || tunnel < 0)
         return;
-    const ProfileShape shape = shapeOf(scene.tunnels[static_cast<std::size_t>(tunnel)]);
+    const ProfileShape shape = shapeOf(scene.tunnels[tunnel]);
     if (profileProblem(shape))
         return;
     const double bolts = boltCount(tunnelProfile(shape), patternOf(pattern));

@@ -41,7 +41,7 @@ void checkTable(const Table& table, StageKind kind, const std::string& pointer, 
 }
 
 void checkNotFixed(int block, const std::string& pointer, std::string_view what, CheckContext& context) {
-    if (block >= 0 && context.fixed[static_cast<std::size_t>(block)])
+    if (block >= 0 && context.fixed[block])
         context.report.error(pointer,
                              std::string(what) + " acts on the block " + inQuotes(displayName(context.scene, block)) +
                                  ", which is fixed by a support",
@@ -50,9 +50,9 @@ void checkNotFixed(int block, const std::string& pointer, std::string_view what,
 
 /// Cell at `place` in a block that is divided into cells; 0 for other blocks.
 int cellAt(int block, const Point& place, const CheckContext& context) {
-    if (block < 0 || !context.sound[static_cast<std::size_t>(block)])
+    if (block < 0 || !context.sound[block])
         return 0;
-    const Block& own = context.scene.blocks[static_cast<std::size_t>(block)];
+    const Block& own = context.scene.blocks[block];
     if (!own.subBlocks || !(own.subBlocks->size > 0.0) || gridCells(own.points, own.subBlocks->size) > mostCells)
         return 0;
     const SubBlocks cut = cutIntoCells(own.points, own.subBlocks->size, context.tolerance);
@@ -125,7 +125,7 @@ void checkPressure(const Load& load, const std::string& pointer, CheckContext& c
 void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, CheckContext& context) {
     if (!load.at || block < 0 || !load.at->allFinite())
         return;
-    const std::vector<Point>& points = context.scene.blocks[static_cast<std::size_t>(block)].points;
+    const std::vector<Point>& points = context.scene.blocks[block].points;
     if (locate(points, *load.at, context.tolerance) == Side::Outside)
         context.report.error(under(pointer, "at"),
                              "the force acts outside the block " + inQuotes(displayName(context.scene, block)),

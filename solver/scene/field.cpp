@@ -104,7 +104,7 @@ std::string labelText(const Field& field) {
 
 std::string_view wordLabel(const Field& field, std::string_view word) {
     const auto found = std::find(field.words.begin(), field.words.end(), word);
-    const auto index = static_cast<std::size_t>(found - field.words.begin());
+    const std::size_t index = found - field.words.begin();
     return index < field.wordLabels.size() ? field.wordLabels[index] : word;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 std::vector<Point> pointsOf(const Cut& cut, const CutRing& ring) {
     std::vector<Point> points;
-    for (int vertex : ring.vertices) points.push_back(cut.vertices[static_cast<std::size_t>(vertex)]);
+    for (int vertex : ring.vertices) points.push_back(cut.vertices[vertex]);
     return points;
 }
 
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    bool isOpen(int tunnel) const { return isOpenFromStart(scene_, scene_.tunnels[static_cast<std::size_t>(tunnel)]); }
+    bool isOpen(int tunnel) const { return isOpenFromStart(scene_, scene_.tunnels[tunnel]); }
 
     /// The tunnels in which the block lies. There can be several if outlines overlap, for example those of a pilot and
     /// of the drift to which it is enlarged.
@@ -150,7 +150,7 @@ private:
             face.side = sideOf(from, to);
             return face;
         }
-        face.joint = traces_.sources[static_cast<std::size_t>(source)].joint;
+        face.joint = traces_.sources[source].joint;
         if (source < static_cast<int>(scene_.joints.size() + scene_.jointSets.size())) face.source = source;
         return face;
     }
@@ -207,8 +207,8 @@ void cutDomain(const Scene& scene, SceneCut& result, const std::atomic<bool>* st
 }
 
 void layOutPattern(const Scene& scene, int index, std::vector<Bolt>& bolts) {
-    const ScenePattern& pattern = scene.boltPatterns[static_cast<std::size_t>(index)];
-    const SceneTunnel& tunnel = scene.tunnels[static_cast<std::size_t>(findTunnel(scene, pattern.tunnel))];
+    const ScenePattern& pattern = scene.boltPatterns[index];
+    const SceneTunnel& tunnel = scene.tunnels[findTunnel(scene, pattern.tunnel)];
     int number = 0;
     for (const PatternBolt& laid : layOut(tunnelProfile(shapeOf(tunnel)), patternOf(pattern))) {
         Bolt& bolt = bolts.emplace_back();
@@ -269,7 +269,7 @@ std::string_view wordOf(CutNoteKind kind) {
 std::string noteText(const SceneCut& cut, const CutNote& note) {
     const auto name = [&](int source) {
         return source >= 0 && static_cast<std::size_t>(source) < cut.sources.size()
-                   ? cut.sources[static_cast<std::size_t>(source)] : std::string("the boundary");
+                   ? cut.sources[source] : std::string("the boundary");
     };
     const std::string metres = rounded(note.measure) + " m", area = rounded(note.measure) + " m²";
     switch (note.kind) {

@@ -89,7 +89,7 @@ BoltPattern patternOf(const ScenePattern& pattern) {
 
 const SceneRegion* findRegion(const Scene& scene, const std::string& name) {
     const int index = indexOfName(scene.regions, name);
-    return index < 0 ? nullptr : &scene.regions[static_cast<std::size_t>(index)];
+    return index < 0 ? nullptr : &scene.regions[index];
 }
 
 int findTunnel(const Scene& scene, const std::string& name) { return indexOfName(scene.tunnels, name); }

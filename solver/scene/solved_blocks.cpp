@@ -33,7 +33,7 @@ void markInner(const std::vector<SharedEdge>& shared, std::size_t first, double 
     for (std::size_t i = first; i < all.blocks.size(); ++i) lengths.emplace_back(all.blocks[i].points.size(), 0.0);
     for (const SharedEdge& edge : shared)
         for (int cell : {edge.a, edge.b}) {
-            const auto c = static_cast<std::size_t>(cell);
+            const std::size_t c = cell;
             addGlued(edge, all.blocks[first + c].points, 10.0 * tolerance, lengths[c]);
         }
     for (std::size_t c = 0; c < lengths.size(); ++c) {
@@ -46,7 +46,7 @@ void markInner(const std::vector<SharedEdge>& shared, std::size_t first, double 
 }
 
 void addCells(const Scene& scene, int block, double tolerance, SolvedBlocks& all) {
-    const Block& own = scene.blocks[static_cast<std::size_t>(block)];
+    const Block& own = scene.blocks[block];
     const SubBlocks cut = cutIntoCells(relative(own.points, all.origin), own.subBlocks->size, tolerance);
     const auto first = all.blocks.size();
     const std::string name = displayName(scene, block);

@@ -15,7 +15,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// Name of the pattern that the bolt belongs to; null for an individual bolt.
 const std::string* patternOf(const Scene& scene, const Bolt& bolt) {
-    return bolt.pattern < 0 ? nullptr : &scene.boltPatterns[static_cast<std::size_t>(bolt.pattern)].name;
+    return bolt.pattern < 0 ? nullptr : &scene.boltPatterns[bolt.pattern].name;
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ const std::string* patternOf(const Scene& scene, const Bolt& bolt) {
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage) {
     std::vector<int> blocks;
     for (int block = 0; !stage.excavate.empty() && block < static_cast<int>(scene.blocks.size()); ++block) {
-        const std::vector<int>& tunnels = scene.blocks[static_cast<std::size_t>(block)].tunnels;
+        const std::vector<int>& tunnels = scene.blocks[block].tunnels;
         const bool inTunnel = std::any_of(tunnels.begin(), tunnels.end(), [&](int tunnel) {
-            return contains(stage.excavate, scene.tunnels[static_cast<std::size_t>(tunnel)].name);
+            return contains(stage.excavate, scene.tunnels[tunnel].name);
         });
         if (inTunnel || contains(stage.excavate, displayName(scene, block))) blocks.push_back(block);
     }

@@ -86,8 +86,8 @@ double spectralRadius(const std::vector<double>& series, int order) {
     Eigen::MatrixXd before(order, order), companion = Eigen::MatrixXd::Zero(order, order);
     Eigen::VectorXd next(order);
     for (int i = 0; i < order; ++i) {
-        for (int j = 0; j < order; ++j) before(i, j) = series[static_cast<std::size_t>(i + j)];
-        next[i] = series[static_cast<std::size_t>(i + order)];
+        for (int j = 0; j < order; ++j) before(i, j) = series[i + j];
+        next[i] = series[i + order];
     }
     companion.bottomRows<1>() = before.fullPivLu().solve(next).transpose();
     for (int i = 0; i + 1 < order; ++i) companion(i, i + 1) = 1.0;

@@ -23,12 +23,12 @@ std::size_t columnOf(const Scene& scene, const std::string& monitor, int compone
     Subject subject;
     subject.monitor = static_cast<int>(found - scene.monitors.begin());
     subject.component = component;
-    return static_cast<std::size_t>(historyColumn(scene, subject));
+    return historyColumn(scene, subject);
 }
 
 /// The history row just before an event; null if there is none.
 const HistoryRow* rowBefore(const Results& results, const Event& event) {
-    return event.historyRow < 0 ? nullptr : &results.history[static_cast<std::size_t>(event.historyRow)];
+    return event.historyRow < 0 ? nullptr : &results.history[event.historyRow];
 }
 
 bool letsGo(EventKind kind) {

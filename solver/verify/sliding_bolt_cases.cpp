@@ -33,7 +33,7 @@ Scene frictionTube(PlateKind plate, double plateStrength) {
 double plateAtLargestForce(const Solved& solved) {
     const std::vector<double> force = series(solved, "joint force"), plate = series(solved, "plate");
     const auto most = std::max_element(force.begin(), force.end()) - force.begin();
-    return force.empty() ? NAN : plate[static_cast<std::size_t>(most)];
+    return force.empty() ? NAN : plate[most];
 }
 
 Solved solveWithPlateForce(Scene scene) {

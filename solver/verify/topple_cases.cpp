@@ -29,7 +29,7 @@ constexpr double watched = 1.5;  // [s]
 constexpr double moving = 0.05;
 
 /// Height of the top of a column above the lowest base, normal to the bases [m].
-double topOfColumn(int n) { return baseRise * n + heights[static_cast<std::size_t>(n)]; }
+double topOfColumn(int n) { return baseRise * n + heights[n]; }
 
 /// The external force that the toe needs at a coefficient of friction `tangent`, divided by the unit weight (Goodman
 /// and Bray 1976). From the crest down, each column passes on the force that prevents it from toppling about its lower
@@ -39,7 +39,7 @@ double forceAtToe(double tangent) {
     const double s = std::sin(baseDip), c = std::cos(baseDip);
     double push = 0.0;
     for (int n = columns - 1; n >= 0; --n) {
-        const double height = heights[static_cast<std::size_t>(n)], weight = columnWidth * height, base = baseRise * n;
+        const double height = heights[n], weight = columnWidth * height, base = baseRise * n;
         const double slides = push - weight * (c * tangent - s) / (1.0 - tangent * tangent);
         double topples = 0.0;
         if (n > 0) {
@@ -128,7 +128,7 @@ double asExpected(double frictionAngle) {
     int found = 0;
     for (int n = 0; n < static_cast<int>(all.size()); ++n) {
         const Way expected = n < 3 ? Way::Slides : n < 13 ? Way::Topples : Way::Stands;
-        found += wayOf(all[static_cast<std::size_t>(n)]) == expected ? 1 : 0;
+        found += wayOf(all[n]) == expected ? 1 : 0;
     }
     return found;
 }

@@ -34,7 +34,7 @@ LinearSystem wall(int side) {
     const auto entries = wallPattern(side);
     system.analyse(6 * side * side, entries);
     for (const auto& [i, j] : entries)
-        system.values()[static_cast<std::size_t>(system.slot(i, j))] = i == j ? 100.0 : -0.5 - 0.1 * ((i * 7 + j * 3) % 5);
+        system.values()[system.slot(i, j)] = i == j ? 100.0 : -0.5 - 0.1 * ((i * 7 + j * 3) % 5);
     return system;
 }
 
@@ -48,7 +48,7 @@ void factor(benchmark::State& state) {
 void solve(benchmark::State& state) {
     LinearSystem system = wall(static_cast<int>(state.range(0)));
     if (system.factor() != -1) std::abort();
-    const std::vector<double> load(static_cast<std::size_t>(system.size()), 1.0);
+    const std::vector<double> load(system.size(), 1.0);
     std::vector<double> x(load.size());
     for (auto _ : state) system.solve(load, x);
     state.counters["unknowns"] = system.size();

@@ -21,7 +21,7 @@ struct Sample {
 };
 
 Sample sampleOf(int count, const std::function<double()>& draw) {
-    std::vector<double> values(static_cast<std::size_t>(count));
+    std::vector<double> values(count);
     std::generate(values.begin(), values.end(), draw);
     Sample s{0.0, 0.0, values.front(), values.front()};
     for (const double v : values) {

@@ -101,8 +101,8 @@ void compareContacts(const Frame& own, const Frame& seen, const std::vector<int>
                      Comparison& forces) {
     auto theirs = contactForces(seen);
     for (const auto& [pair, force] : contactForces(own)) {
-        const auto same = std::minmax(rows[static_cast<std::size_t>(pair.first)],
-                                      rows[static_cast<std::size_t>(pair.second)]);
+        const auto same = std::minmax(rows[pair.first],
+                                      rows[pair.second]);
         const auto found = theirs.find({same.first, same.second});
         const Eigen::Vector2d other = found == theirs.end() ? Eigen::Vector2d::Zero() : found->second;
         const std::string name =
@@ -165,7 +165,7 @@ std::string differenceThrough(const Isometry& isometry, const Results& own, cons
         compareContacts(x, y, rows, when, forces);
         for (std::size_t b = 0; b < x.blocks.size(); ++b) {
             const Point move = x.blocks[b].displacement;
-            const Point other = y.blocks[static_cast<std::size_t>(rows[b])].displacement;
+            const Point other = y.blocks[rows[b]].displacement;
             moves.add(move.norm(), move.norm() + (q * move - other).norm(),
                       when + ", displacement of block " + std::to_string(b));
         }

@@ -51,7 +51,7 @@ const Odd oddSections[]{
      "ec", domainArea,
      [](const OddRun& run) {
          for (int block : run.results.stages[1].blocks)
-             for (const Point& corner : run.solved().blocks[static_cast<std::size_t>(block)].points)
+             for (const Point& corner : run.solved().blocks[block].points)
                  EXPECT_GE(corner.y(), 1.0);  // the roof
      }},
     {"tunnel_touches_the_edge",

@@ -29,8 +29,8 @@ Scene drift() {
 std::array<double, 3> forcesOf(const Frame& frame, int row) {
     std::array<double, 3> forces{};
     for (int bolt = 0; bolt < 3; ++bolt)
-        for (const BoltNodeFrame& node : frame.bolts[static_cast<std::size_t>(3 * row + bolt)].nodes)
-            forces[static_cast<std::size_t>(bolt)] = std::max(forces[static_cast<std::size_t>(bolt)], node.axialForce);
+        for (const BoltNodeFrame& node : frame.bolts[3 * row + bolt].nodes)
+            forces[bolt] = std::max(forces[bolt], node.axialForce);
     return forces;
 }
 
@@ -86,7 +86,7 @@ double boltInKirschsRock() {
     Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
     Eigen::Vector<double, 5> load;
     for (int i = 0; i < 5; ++i) {
-        const auto at = static_cast<std::size_t>(i);
+        const std::size_t at = i;
         const double inward = (1.0 + poisson) / youngs * stress * radius * radius / (radius + length - place[at]);
         stiffness(i, i) += spring[at];
         load[i] = spring[at] * inward;

@@ -43,7 +43,7 @@ int boltNamed(const Scene& scene, const std::string& name) {
 Rebar rebarNamed(const Scene& scene, const std::string& name) {
     Rebar rebar{name, boltNamed(scene, name), 0.0};
     const auto& face = scene.joints.front().points;
-    const Point far = scene.bolts[static_cast<std::size_t>(rebar.bolt)].farEnd;
+    const Point far = scene.bolts[rebar.bolt].farEnd;
     const Point& foot = far.x() < face[1].x() ? face[0] : face[2];
     const double share = (far.x() - foot.x()) / (face[1].x() - foot.x());
     rebar.embedded = far.y() - (foot.y() + share * (face[1].y() - foot.y()));
@@ -73,7 +73,7 @@ long countOf(const Results& results, EventKind kind) {
 int compareSliding(const Results& results, const Rebar& rebar, double from, double to) {
     int compared = 0;
     for (const Frame& frame : results.frames) {
-        const auto& nodes = frame.bolts[static_cast<std::size_t>(rebar.bolt)].nodes;
+        const auto& nodes = frame.bolts[rebar.bolt].nodes;
         if (nodes.empty()) continue;
         const double slip = -nodes.front().slip;  // of the far end, out of its rock
         if (nodes.front().state != NodeState::Slipping || slip < from || slip > to) continue;
@@ -116,7 +116,7 @@ TEST(OpeningSample, RebarsDebondAndSlideOutAndDBoltsYieldAndHold) {
         const int bolt = boltNamed(scene, name);
         EXPECT_TRUE(firstOf(results, EventKind::Yield, bolt));
         EXPECT_FALSE(firstOf(results, EventKind::Debonding, bolt));
-        const double largest = results.frames.back().extremes[static_cast<std::size_t>(bolt)].axialForce.value;
+        const double largest = results.frames.back().extremes[bolt].axialForce.value;
         EXPECT_GE(largest, firstYield);
         EXPECT_LT(largest, ultimate);
     }

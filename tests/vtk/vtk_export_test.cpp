@@ -257,7 +257,7 @@ TEST_F(VtkExport, PutsCornersWhereTheFrameHasThem) {
     for (const Listed& moment : all("blocks")) {
         const Frame* frame = nullptr;
         for (const Frame& kept : ran().results.frames)
-            if (run_.scene().stages[static_cast<std::size_t>(kept.stage)].name == stageOf(moment.data) &&
+            if (run_.scene().stages[kept.stage].name == stageOf(moment.data) &&
                 kept.time == timeOf(moment.data))
                 frame = &kept;
         ASSERT_TRUE(frame);

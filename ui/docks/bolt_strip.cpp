@@ -181,7 +181,7 @@ void BoltStrip::make() {
             if (stored == 0) held = mostLoadedBolt(*frame, held);
             else if (!isSame || !past->ofAll) held = mostLoadedBolt(run->frame(stored - 1));
             const int bolt = wanted >= 0 ? wanted : held;
-            if (bolt < 0 || frame->bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
+            if (bolt < 0 || frame->bolts[bolt].nodes.size() < 2)
                 return [this] { showNothing(tr("The bolt is not installed at this time.")); };
             std::shared_ptr<Past> known = past;
             if (!known || known->run != run || known->reach.bolt() != bolt)
@@ -199,11 +199,11 @@ void BoltStrip::make() {
             showAs(shown->chart.chart, numbers);
             for (ChartPanel& panel : shown->chart.chart.panels) shorten(panel);
             shown->chart.chart.xTitle.clear();
-            for (const BoltNodeFrame& node : frame->bolts[static_cast<std::size_t>(bolt)].nodes)
+            for (const BoltNodeFrame& node : frame->bolts[bolt].nodes)
                 shown->blocks.emplace_back(node.s, blockName(moment->blockNames(), node.block));
             shown->name = QString::fromStdString(boltName(moment->scene(), bolt));
-            shown->type = QString::fromStdString(moment->scene().bolts[static_cast<std::size_t>(bolt)].type);
-            if (const auto row = static_cast<std::size_t>(bolt); row < frame->extremes.size())
+            shown->type = QString::fromStdString(moment->scene().bolts[bolt].type);
+            if (const std::size_t row = bolt; row < frame->extremes.size())
                 shown->use = QString::fromStdString(useText(boltUse(bolt, frame->extremes[row])));
             return [this, shown, known] {
                 if (cursor_.run() != known->run) return;

@@ -203,7 +203,7 @@ const CurveEntry* Curves::current() const {
     if (choosesAxes()) return read_->free.entries.empty() ? nullptr : &read_->free.entries.front();
     const int index = choice_->currentIndex();
     const std::vector<CurveEntry>& own = read_->own.entries;
-    return index >= 0 && static_cast<std::size_t>(index) < own.size() ? &own[static_cast<std::size_t>(index)] : nullptr;
+    return index >= 0 && static_cast<std::size_t>(index) < own.size() ? &own[index] : nullptr;
 }
 
 void Curves::choose() {

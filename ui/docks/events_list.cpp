@@ -135,7 +135,7 @@ QString EventsModel::chainOf(std::size_t number) const {
     QStringList lines;
     long at = static_cast<long>(number);
     for (int i = 0; i < 12 && at >= 0 && static_cast<std::size_t>(at) < events.size(); ++i) {
-        const Event& event = events[static_cast<std::size_t>(at)];
+        const Event& event = events[at];
         lines.prepend(QStringLiteral("%1  %2 · %3")
                           .arg(at + 1)
                           .arg(nameOf(event.kind), text(event, static_cast<std::size_t>(at), Where).toString()));
@@ -165,7 +165,7 @@ EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor&
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(EventsModel::Where, QHeaderView::Stretch);
     const std::array<int, EventsModel::columns> widths{34, 96, 104, 90, 72, 40};
-    for (int c = 0; c < EventsModel::columns; ++c) view_->setColumnWidth(c, widths[static_cast<std::size_t>(c)]);
+    for (int c = 0; c < EventsModel::columns; ++c) view_->setColumnWidth(c, widths[c]);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);

@@ -32,7 +32,7 @@ public:
     EventsModel(const Themes& themes, const Display& display, TimeCursor& cursor, QObject* parent = nullptr);
 
     /// Index, among the events of the run, of the event shown in this row.
-    std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    std::size_t eventAt(int row) const { return rows_[row]; }
 
     /// The last row that shows one of the first `events` events of the run; −1: none of these events is shown.
     int lastRowUntil(long events) const;

@@ -73,7 +73,7 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
                                         [](const auto& at, const HealthSample& sample) {
                                             return at < std::pair(sample.stage, sample.time);
                                         });
-    const auto count = static_cast<std::size_t>(after - samples.begin());
+    const std::size_t count = after - samples.begin();
     const StageRecord* record = endedRecord(run, stage);
     if (count > 0) {
         fromSamples(run, count, rows);

@@ -34,7 +34,7 @@ QString percent(double share) {
 
 QString timeText(const Scene& scene, int stage, double time) {
     const QString name = QString::fromStdString(stageName(scene, stage));
-    const bool moves = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    const bool moves = scene.stages[stage].kind == StageKind::Dynamic;
     return moves ? ResultTexts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
 }
 
@@ -136,7 +136,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
                          const ShownNumbers& numbers) {
     assert(0 <= bolt && bolt < static_cast<int>(frame.bolts.size()));
     const Scene& scene = run.scene();
-    const Bolt& shown = scene.bolts[static_cast<std::size_t>(bolt)];
+    const Bolt& shown = scene.bolts[bolt];
     const BoltReport report = boltReport(scene, frame, bolt, events);
     ResultReport result{ResultTexts::tr("%1 · bolt").arg(qt(shown.name)), qt(shown.type), {}, {}};
     RowMaker make{run, numbers, result.rows};
@@ -149,7 +149,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);
-        make.energy(frame.bolts[static_cast<std::size_t>(bolt)]);
+        make.energy(frame.bolts[bolt]);
     }
     result.events = eventsOf(run, some(events, [&](const Event& event) { return event.bolt == bolt; }));
     return result;
@@ -160,7 +160,7 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
     assert(0 <= block && block < static_cast<int>(frame.blocks.size()));
     static constexpr std::array quantities{"displacement", "ux", "uy",  "rotation", "velocity", "sigma1",
                                            "sigma3",       "sxx", "syy", "sxy",      "weight",   "area"};
-    const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
+    const BlockState& state = frame.blocks[block];
     ResultReport result{ResultTexts::tr("Block %1").arg(QString::fromStdString(blockName(run.blockNames(), block))),
                         ResultTexts::tr("block in the run shown"), {}, {}};
     RowMaker make{run, numbers, result.rows};
@@ -169,7 +169,7 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
     } else {
         for (const char* name : quantities) make.quantity(name, state);
     }
-    if (const auto row = static_cast<std::size_t>(block); row < frame.blockExtremes.size()) {
+    if (const std::size_t row = block; row < frame.blockExtremes.size()) {
         const BlockExtremes& extremes = frame.blockExtremes[row];
         make.blockPeak(ResultTexts::tr("Largest displacement"), "displacement", extremes);
         make.blockPeak(ResultTexts::tr("Largest velocity"), "velocity", extremes);

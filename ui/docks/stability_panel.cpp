@@ -206,7 +206,7 @@ void StabilityPanel::fillBolts() {
     for (const BoltUse& use : uses_) {
         const BoltExtremes& peaks = use.extremes;
         const double axial = peaks.axialForce.value;
-        const BoltEnd& end = ends_[static_cast<std::size_t>(use.bolt)];
+        const BoltEnd& end = ends_[use.bolt];
         const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
         QTreeWidgetItem* row = addRow(
             bolts_,

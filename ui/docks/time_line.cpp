@@ -329,8 +329,8 @@ QString TimeLine::compareText() const {
     const int bolt = choice_.bolt();
     const long a = rowAt(run.historyRows(), here), from = rowAt(run.historyRows(), there);
     if (bolt < 0 || a < 0 || from < 0) return text;
-    const auto column = static_cast<std::size_t>(historyColumn(run.scene(), {-1, 0, bolt, BoltQuantity::AxialForce}));
-    const auto valueAt = [&](long row) { return run.historyRows()[static_cast<std::size_t>(row)].values[column]; };
+    const std::size_t column = historyColumn(run.scene(), {-1, 0, bolt, BoltQuantity::AxialForce});
+    const auto valueAt = [&](long row) { return run.historyRows()[row].values[column]; };
     const ShownUnit unit = display_.shown("N");
     const double change = unit.factor * (valueAt(a) - valueAt(from));
     if (!std::isfinite(change)) return text;

@@ -125,7 +125,7 @@ void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span) const {
     if (to - from < 18.0) return;
     const QString icon = iconOf(record, cursor_.goesOn());
     themes_.icon(icon, colourOf(icon, theme)).paint(&painter, QRect(int(from), int(bandTop) + 3, 14, 14));
-    paintStage(painter, cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)], from, to,
+    paintStage(painter, cursor_.run()->scene().stages[span.stage], from, to,
                right - done > 1.0 ? std::max(done, from) : to);
 }
 
@@ -169,7 +169,7 @@ void TimeTrack::paintTicks(QPainter& painter) const {
         if (right < inset || left > width() - inset) continue;
         const int most = std::clamp(static_cast<int>((right - left) / perTick), 2, 400);
         const Ticks ticks = roundTicks({0.0, span.duration}, most);
-        const bool seconds = cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)].kind ==
+        const bool seconds = cursor_.run()->scene().stages[span.stage].kind ==
                              StageKind::Dynamic;
         for (const double value : ticks.values) {
             const double x = xOf(axis_.at(span.stage, value));

@@ -162,14 +162,14 @@ void ViewBar::showEvent(QShowEvent*) {
 void ViewBar::take() {
     ViewChoice choice = settings_.choice();
     const int block = blocks_->currentIndex() - 1, bolt = bolts_->currentIndex() - 1;
-    choice.blocks = block >= 0 ? &blockQuantities()[static_cast<std::size_t>(block)] : nullptr;
-    choice.bolts = bolt >= 0 ? &boltQuantities()[static_cast<std::size_t>(bolt)] : nullptr;
+    choice.blocks = block >= 0 ? &blockQuantities()[block] : nullptr;
+    choice.bolts = bolt >= 0 ? &boltQuantities()[bolt] : nullptr;
     choice.ribbon = static_cast<RibbonOf>(ribbon_->currentIndex());
     choice.factor = factor_->currentData().toDouble();
     choice.callOuts = callOuts_->isChecked();
     choice.contacts = contacts_->isChecked();
     const int arrows = arrows_->currentIndex() - 1;
-    choice.arrows = arrows >= 0 ? std::optional(kindsOfArrows[static_cast<std::size_t>(arrows)]) : std::nullopt;
+    choice.arrows = arrows >= 0 ? std::optional(kindsOfArrows[arrows]) : std::nullopt;
     settings_.choose(choice);
     showChoice();
 }

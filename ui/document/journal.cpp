@@ -122,7 +122,7 @@ void Journal::tell(const QString& why) {
 void Journal::follow(int index) {
     if (isTaking_) return;
     const std::shared_ptr<const Scene>& now = document_.committed();
-    const auto at = static_cast<std::size_t>(index);
+    const std::size_t at = index;
     const bool isKnown = at < states_.size() && states_[at]->known() == now;
     if (isKnown && index == index_) return;
     if (!isKnown && (at == 0 || at > states_.size())) return;  // another document, which sends its own signal

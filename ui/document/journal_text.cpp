@@ -38,7 +38,7 @@ std::string textAt(const JsonNode& node, std::string_view key) {
 std::optional<std::size_t> countOf(const JsonNode& node) {
     const auto* number = std::get_if<double>(&node.value);
     if (!number || *number < 0.0 || *number > 1e15) return {};
-    return static_cast<std::size_t>(*number);
+    return *number;
 }
 
 std::optional<std::size_t> countAt(const JsonNode& node, std::string_view key) {

@@ -22,7 +22,7 @@ bool isWithinLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0
 /// Length of the common beginning, in bytes, without cutting a UTF-8 character.
 std::size_t commonBegin(std::string_view a, std::string_view b) {
     const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    auto same = static_cast<std::size_t>(differ.first - a.begin());
+    std::size_t same = differ.first - a.begin();
     while (same > 0 && ((same < a.size() && isWithinLetter(a[same])) || (same < b.size() && isWithinLetter(b[same]))))
         --same;
     return same;
@@ -30,7 +30,7 @@ std::size_t commonBegin(std::string_view a, std::string_view b) {
 
 std::size_t commonEnd(std::string_view a, std::string_view b) {
     const auto differ = std::mismatch(a.rbegin(), a.rend(), b.rbegin(), b.rend());
-    auto same = static_cast<std::size_t>(differ.first - a.rbegin());
+    std::size_t same = differ.first - a.rbegin();
     while (same > 0 && isWithinLetter(a[a.size() - same])) --same;
     return same;
 }

@@ -34,12 +34,12 @@ private:
 
     /// True if the block is given in the scene and hidden. Blocks that result from the cut have no object of their own.
     bool hidesBlock(int block) const {
-        const auto index = static_cast<std::size_t>(block);
+        const std::size_t index = block;
         return block >= 0 && index < scene_.blocks.size() && isHidden("/blocks", index);
     }
 
     bool hidesBolt(int bolt) const {
-        const auto index = static_cast<std::size_t>(bolt);
+        const std::size_t index = bolt;
         if (bolt < 0 || index >= solved_.bolts.size()) return false;
         if (visibility_.isHidden("/bolts")) return true;
         const int pattern = solved_.bolts[index].pattern;
@@ -47,13 +47,13 @@ private:
     }
 
     std::vector<char> hiddenEdges(const BlockShape& shape) const {
-        const auto index = static_cast<std::size_t>(shape.block);
+        const std::size_t index = shape.block;
         if (shape.block < 0 || index >= solved_.blocks.size()) return {};
         const Block& block = solved_.blocks[index];
         if (block.faces.size() != shape.outline.size()) return {};
         std::vector<char> hidden;
         for (const CutFace& face : block.faces) {
-            const auto source = static_cast<std::size_t>(face.source);
+            const std::size_t source = face.source;
             hidden.push_back(face.source >= 0 && source < sources_.size() && sources_[source]);
         }
         return hidden;

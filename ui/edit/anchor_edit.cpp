@@ -18,7 +18,7 @@ double toleranceOf(const std::vector<double>& nodes) { return 1e-6 * nodes.back(
 
 std::size_t nearestNode(const std::vector<double>& nodes, double s) {
     const auto nearest = std::ranges::min_element(nodes, {}, [&](double node) { return std::abs(node - s); });
-    return static_cast<std::size_t>(nearest - nodes.begin());
+    return nearest - nodes.begin();
 }
 
 /// First and last node of an entry; first > last for an interval between two nodes.

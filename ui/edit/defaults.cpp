@@ -192,7 +192,7 @@ Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel) {
     if (const auto problem = profileProblem(shapeOf(tunnel))) return {scene, "The tunnel cannot be drawn: " + problem->message + "."};
     Edit edit = appended(scene, &Scene::tunnels, "/tunnels", tunnel);
     const int stage = excavatingStage(scene);
-    if (stage >= 0) edit.scene.stages[static_cast<std::size_t>(stage)].excavate.push_back(edit.scene.tunnels.back().name);
+    if (stage >= 0) edit.scene.stages[stage].excavate.push_back(edit.scene.tunnels.back().name);
     return edit;
 }
 

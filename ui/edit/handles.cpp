@@ -20,7 +20,7 @@ namespace {
 template <typename Item>
 const Item* itemAt(const std::vector<Item>& items, const std::vector<std::string>& parts, const char* list) {
     if (parts.size() != 2 || parts[0] != list) return nullptr;
-    const std::size_t index = static_cast<std::size_t>(std::atoll(parts[1].c_str()));
+    const std::size_t index = std::atoll(parts[1].c_str());
     return index < items.size() ? &items[index] : nullptr;
 }
 

@@ -202,7 +202,7 @@ std::vector<ObjectLine> boltsOfPattern(const Scene& scene, const ScenePattern& p
     const int index = findTunnel(scene, pattern.tunnel);
     const BoltPattern laidOut = patternOf(pattern);
     if (index < 0 || boltPatternProblem(laidOut)) return {};
-    const SceneTunnel& tunnel = scene.tunnels[static_cast<std::size_t>(index)];
+    const SceneTunnel& tunnel = scene.tunnels[index];
     if (!isUsable(tunnel.center) || !allUsable(tunnel.points) || profileProblem(shapeOf(tunnel))) return {};
     const TunnelProfile profile = tunnelProfile(shapeOf(tunnel));
     if (boltCount(profile, laidOut) > mostShownBolts) return {};

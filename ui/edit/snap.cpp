@@ -49,7 +49,7 @@ public:
 
 private:
     bool isLeftOut(int object) const {
-        const std::string& pointer = index_.names_[static_cast<std::size_t>(object)].pointer;
+        const std::string& pointer = index_.names_[object].pointer;
         return std::find(wish_.except.begin(), wish_.except.end(), pointer) != wish_.except.end();
     }
 
@@ -58,7 +58,7 @@ private:
         if (!(distance <= wish_.radius) || isLeftOut(object)) return;
         const double score = distance / wish_.radius + rankOf(kind);
         if (best_ && score >= score_) return;
-        const bool inRock = index_.names_[static_cast<std::size_t>(object)].inRock;
+        const bool inRock = index_.names_[object].inRock;
         if (inRock && isInOpening(index_.openings_, point)) return;
         score_ = score, object_ = object, other_ = other, what_ = what;
         best_ = Snap{point, kind, {}, {}};
@@ -69,7 +69,7 @@ private:
         const Box around = grown(Box{place_, place_}, wish_.radius);
         std::vector<const Line*> near;
         for (const int i : index_.grid_->meeting(around)) {
-            const Line& line = index_.lines_[static_cast<std::size_t>(i)];
+            const Line& line = index_.lines_[i];
             if (distanceToSegment(line.a, line.b, place_) <= wish_.radius && !isLeftOut(line.object)) near.push_back(&line);
         }
         for (const Line* line : near) points(*line);
@@ -79,7 +79,7 @@ private:
     }
 
     void points(const Line& line) {
-        const char* end = index_.names_[static_cast<std::size_t>(line.object)].hasCorners ? "corner of " : "end of ";
+        const char* end = index_.names_[line.object].hasCorners ? "corner of " : "end of ";
         if (line.endA) offer(line.a, SnapKind::End, line.object, -1, end);
         if (line.endB) offer(line.b, SnapKind::End, line.object, -1, end);
         if (!line.curved) offer(0.5 * (line.a + line.b), SnapKind::Middle, line.object, -1, "midpoint of ");
@@ -99,10 +99,10 @@ private:
 
     Snap named() const {
         Snap snap = *best_;
-        const Name& name = index_.names_[static_cast<std::size_t>(object_)];
+        const Name& name = index_.names_[object_];
         snap.pointer = name.pointer;
         snap.name = what_ + name.title;
-        if (other_ >= 0 && other_ != object_) snap.name += " and " + index_.names_[static_cast<std::size_t>(other_)].title;
+        if (other_ >= 0 && other_ != object_) snap.name += " and " + index_.names_[other_].title;
         return snap;
     }
 

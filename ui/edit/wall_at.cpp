@@ -41,7 +41,7 @@ bool lookAt(const std::vector<Point>& points, const Point& place, double& radius
 
 std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Point& place) {
     if (tunnel < 0 || tunnel >= static_cast<int>(scene.tunnels.size()) || !isUsable(place)) return std::nullopt;
-    const SceneTunnel& drawn = scene.tunnels[static_cast<std::size_t>(tunnel)];
+    const SceneTunnel& drawn = scene.tunnels[tunnel];
     const auto profile = profileOf(drawn);
     if (!profile) return std::nullopt;
     const double along = lengthOfNearest(*profile, place);

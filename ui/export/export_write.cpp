@@ -41,7 +41,7 @@ std::string frameText(const RunSource& run, const TableFilter& filter) {
     const FrameHead& head = run.frames()[*frame];
     return "frame " + std::to_string(*frame + 1) + " of " + std::to_string(run.frames().size()) + ", stage " +
            stageName(run.scene(), head.stage) + " at " + rounded(head.time) +
-           (run.scene().stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic ? " s" : "");
+           (run.scene().stages[head.stage].kind == StageKind::Dynamic ? " s" : "");
 }
 
 namespace {

@@ -134,7 +134,7 @@ std::string Animation::pixels(std::size_t picture) const {
     paper->painter().end();
     const QImage& image = paper->image();
     std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(image.sizeInBytes()));
+    bytes.reserve(image.sizeInBytes());
     for (int row = 0; row < image.height(); ++row)
         bytes.append(reinterpret_cast<const char*>(image.constScanLine(row)),
                      4 * static_cast<std::size_t>(image.width()));

@@ -35,8 +35,8 @@ std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& re
     const Frame values = run.frame(*frame);
     const int bolt = request.filter.bolt.value_or(mostLoadedBolt(values));
     if (bolt < 0) throw CannotDraw("no bolt is installed at this time");
-    if (values.bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
-        throw CannotDraw("bolt " + run.scene().bolts[static_cast<std::size_t>(bolt)].name +
+    if (values.bolts[bolt].nodes.size() < 2)
+        throw CannotDraw("bolt " + run.scene().bolts[bolt].name +
                          " is not installed at this time; choose another time with --at STAGE:TIME");
     return {*frame, bolt};
 }

@@ -143,7 +143,7 @@ void HelpView::makeReadable(QTextDocument& document) const {
         if (level == 0) continue;
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
         QTextCharFormat heading;  // replaces the heading sizes of Markdown, which need a size in points
-        heading.setProperty(QTextFormat::FontPixelSize, headingSizes[static_cast<std::size_t>(std::min(level, 6))]);
+        heading.setProperty(QTextFormat::FontPixelSize, headingSizes[std::min(level, 6)]);
         heading.setFontWeight(QFont::DemiBold);
         heading.setForeground(t.text);
         cursor.setCharFormat(heading);

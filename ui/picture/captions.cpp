@@ -63,12 +63,12 @@ std::string boltText(const Scene& scene) {
 }  // namespace
 
 std::string timeText(const Scene& scene, int stage, double time) {
-    const bool dynamic = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    const bool dynamic = scene.stages[stage].kind == StageKind::Dynamic;
     return dynamic ? numberText(time) + " s" : numberText(time);
 }
 
 std::string shortTimeText(const Scene& scene, int stage, double time) {
-    const bool dynamic = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    const bool dynamic = scene.stages[stage].kind == StageKind::Dynamic;
     return dynamic && time > 0.0 && time < 0.1 ? numberText(perSi(namedUnit("ms")) * time) + " ms" : timeText(scene, stage, time);
 }
 
@@ -79,7 +79,7 @@ std::string titleOf(const RunSource& run, std::optional<std::size_t> frame) {
     const FrameHead& head = run.frames()[*frame];
     const std::string stage = shortened(stageTitle(scene, head.stage), mostOfStage);
     const std::string time = timeText(scene, head.stage, head.time);
-    if (scene.stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic)
+    if (scene.stages[head.stage].kind == StageKind::Dynamic)
         return title + ", " + stage + " at " + time;
     return title + (head.time == 1.0 ? ", end of " + stage : ", " + stage + " at pseudo-time " + time);
 }

@@ -16,7 +16,7 @@ constexpr double roomOfDynamic = 3.0;  // width of a dynamic stage; a static sta
 std::vector<double> reached(const RunSource& run) {
     std::vector<double> times(run.scene().stages.size(), -1.0);
     const auto see = [&](int stage, double time) {
-        double& latest = times[static_cast<std::size_t>(stage)];
+        double& latest = times[stage];
         latest = std::max(latest, time);
     };
     for (const FrameHead& frame : run.frames()) see(frame.stage, frame.time);

@@ -52,14 +52,14 @@ int BoltChoice::selectedRow() const {
     const Scene& drawn = *document_.scene();
     for (const QString& pointer : selection_.pointers())
         if (const int row = boltAt(drawn, pointer); row >= 0)
-            return rowOf(cursor_.run()->scene().bolts, drawn.bolts[static_cast<std::size_t>(row)].name);
+            return rowOf(cursor_.run()->scene().bolts, drawn.bolts[row].name);
     return -1;
 }
 
 /// Pointer to the bolt or its pattern in the document; empty if the document has neither.
 QString BoltChoice::pointerTo(int bolt) const {
     const Scene &ran = cursor_.run()->scene(), &drawn = *document_.scene();
-    const Bolt& chosen = ran.bolts[static_cast<std::size_t>(bolt)];
+    const Bolt& chosen = ran.bolts[bolt];
     const std::string pattern = patternOf(ran, chosen);
     const int row = pattern.empty() ? rowOf(drawn.bolts, chosen.name) : rowOf(drawn.boltPatterns, pattern);
     if (row < 0) return {};

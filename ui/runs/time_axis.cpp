@@ -31,7 +31,7 @@ TimeAxis::TimeAxis(const Scene& scene) {
 
 double TimeAxis::at(int stage, double time) const {
     if (stage < 0 || static_cast<std::size_t>(stage) >= spans_.size()) return 1.0;
-    const Span& span = spans_[static_cast<std::size_t>(stage)];
+    const Span& span = spans_[stage];
     return span.from + (span.to - span.from) * std::clamp(time / span.duration, 0.0, 1.0);
 }
 

@@ -183,13 +183,13 @@ std::optional<std::size_t> TimeCursor::frameAfter(long event) const {
         return e < f.events;
     });
     if (after == frames.end()) return std::nullopt;
-    return static_cast<std::size_t>(after - frames.begin());
+    return after - frames.begin();
 }
 
 /// The frame with the state just before an event, if that state was stored.
 std::optional<std::size_t> TimeCursor::frameBefore(long event) const {
     const std::size_t end = frameAfter(event).value_or(run_->frames().size());
-    if (end == 0 || timeOf(run_->frames()[end - 1]) != timeOf(run_->eventList()[static_cast<std::size_t>(event)]))
+    if (end == 0 || timeOf(run_->frames()[end - 1]) != timeOf(run_->eventList()[event]))
         return std::nullopt;
     return end - 1;
 }
@@ -209,7 +209,7 @@ std::optional<std::size_t> TimeCursor::nextEventFrame() const {
     const bool passes = passesMinor();
     const auto& events = run_->eventList();
     for (auto i = head().events; i < static_cast<long>(events.size()); ++i) {
-        if (!stopsAt(events[static_cast<std::size_t>(i)], passes)) continue;
+        if (!stopsAt(events[i], passes)) continue;
         const auto before = frameBefore(i);
         return before && *before > frame_ ? before : frameAfter(i);
     }
@@ -222,7 +222,7 @@ std::optional<std::size_t> TimeCursor::previousEventFrame() const {
     const bool passes = passesMinor();
     const auto& events = run_->eventList();
     for (auto i = static_cast<long>(events.size()) - 1; i >= 0; --i) {
-        if (!stopsAt(events[static_cast<std::size_t>(i)], passes)) continue;
+        if (!stopsAt(events[i], passes)) continue;
         for (const auto& stop : {frameAfter(i), frameBefore(i)})
             if (stop && *stop < shown) return stop;
     }

@@ -39,7 +39,7 @@ CoordinateBox::CoordinateBox(QWidget& canvas, const Themes& themes) : QFrame(&ca
         auto* row = new QHBoxLayout(frame);
         row->setContentsMargins(8, 0, 6, 0);
         row->setSpacing(3);
-        row->addWidget(new QLabel(names[static_cast<std::size_t>(i)], frame));
+        row->addWidget(new QLabel(names[i], frame));
         auto* edit = new QLineEdit(frame);
         edit->setObjectName(QString("coordinate.") + (i == 0 ? "x" : "y"));
         edit->setAccessibleName(i == 0 ? tr("x of the next point") : tr("y of the next point"));
@@ -50,7 +50,7 @@ CoordinateBox::CoordinateBox(QWidget& canvas, const Themes& themes) : QFrame(&ca
         row->addWidget(edit, 1);
         row->addWidget(new QLabel(tr("m"), frame));
         grid->addWidget(frame, 0, i);
-        edits_[static_cast<std::size_t>(i)] = edit;
+        edits_[i] = edit;
         connect(edit, &QLineEdit::textEdited, this, [this] { say({}, false); });
     }
     hint_ = new QLabel(this);

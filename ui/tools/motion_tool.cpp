@@ -34,7 +34,7 @@ void MotionTool::press(const Pointed& at) {
     Motion motion;
     motion.blockAt = at.place;
     motion.axis = axis_ == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0);
-    const auto stage = static_cast<std::size_t>(stage_);
+    const std::size_t stage = stage_;
     const bool dynamic = stage < scene().stages.size() && scene().stages[stage].kind == StageKind::Dynamic;
     const double end = dynamic ? std::max(scene().stages[stage].duration, 1e-3) : 1.0;
     motion.table = {{0.0, 0.0}, {end, displacement_}};

@@ -29,7 +29,7 @@ constexpr double mostBolts = 1000.0;
 
 const SceneTunnel& PatternTool::tunnel() const {
     assert(from_);
-    return scene().tunnels[static_cast<std::size_t>(from_->tunnel)];
+    return scene().tunnels[from_->tunnel];
 }
 
 QString PatternTool::prompt() const {

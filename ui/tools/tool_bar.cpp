@@ -85,7 +85,7 @@ ToolChip* beside(const std::vector<ToolChip*>& chips, const QString& id, bool fo
     auto at = std::distance(chips.begin(), std::find_if(chips.begin(), chips.end(), isIt));
     const auto count = static_cast<std::ptrdiff_t>(chips.size()), step = std::ptrdiff_t{forwards ? 1 : -1};
     for (at += step; at >= 0 && at < count; at += step)
-        if (chips[static_cast<std::size_t>(at)]->isVisible()) return chips[static_cast<std::size_t>(at)];
+        if (chips[at]->isVisible()) return chips[at];
     return nullptr;
 }
 

@@ -101,8 +101,8 @@ void Layer::showLines(const LayerShapes& shapes) {
     float *place = places_->GetPointer(0), *way = ways_->GetPointer(0);
     std::uint8_t* colour = colours_->GetPointer(0);
     for (std::size_t i = 0; i < lines; ++i) {
-        const auto from = static_cast<std::size_t>(shapes.cells[2 * i]);
-        const auto to = static_cast<std::size_t>(shapes.cells[2 * i + 1]);
+        const std::size_t from = shapes.cells[2 * i];
+        const std::size_t to = shapes.cells[2 * i + 1];
         const float* a = &shapes.corners[2 * from];
         const float* b = &shapes.corners[2 * to];
         const float width = shapes.widths.empty() ? 1.0f : shapes.widths[i];

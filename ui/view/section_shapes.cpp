@@ -30,7 +30,7 @@ void SectionShapes::addRing(LayerShapes& shapes, const std::vector<Point>& ring,
     const int first = cornersOf(shapes), count = static_cast<int>(ring.size());
     for (const Point& corner : ring) addCorner(shapes, corner);
     for (int i = 0; i < count; ++i) {
-        if (!without.empty() && without[static_cast<std::size_t>(i)]) continue;
+        if (!without.empty() && without[i]) continue;
         shapes.cells.push_back(first + i);
         shapes.cells.push_back(first + (i + 1) % count);
     }

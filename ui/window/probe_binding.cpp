@@ -37,7 +37,7 @@ Monitor monitorOf(const Pin& pin, const Scene& solved) {
         monitor.point = placeBefore(pin, cornersBefore(solvedBlocks(solved)));
         return monitor;
     }
-    monitor.bolt = solved.bolts[static_cast<std::size_t>(pin.bolt)].name;
+    monitor.bolt = solved.bolts[pin.bolt].name;
     monitor.quantity = rowOf(*pin.ofBolt).quantity;
     monitor.at = pin.s;
     return monitor;

@@ -26,7 +26,7 @@ struct BoltLine {
     /// True if the centroid of the block at `point` lies on the line.
     bool passesBlockAt(const Point& point) const {
         const int block = blockAt(scene, point);
-        return block >= 0 && isOn(moments(scene.blocks[static_cast<std::size_t>(block)].points).centroid);
+        return block >= 0 && isOn(moments(scene.blocks[block].points).centroid);
     }
 };
 

@@ -128,7 +128,7 @@ std::vector<AnchorModel> anchorsOfNodes(const std::vector<Anchor>& entries, cons
             any = true;
         }
         const double middle = entry.at ? placeOf(*entry.at, length) : 0.5 * (from + to);
-        if (!any) anchors[static_cast<std::size_t>(nearestNode(nodes, middle))] = model;
+        if (!any) anchors[nearestNode(nodes, middle)] = model;
     }
     return anchors;
 }
@@ -165,7 +165,7 @@ PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType&
         plate.block = slot.block;
     }
     if (plate.block < 0) return plate;
-    plate.place = bolt.farEnd + length * bolt.axis - model.blocks[static_cast<std::size_t>(plate.block)].centroid;
+    plate.place = bolt.farEnd + length * bolt.axis - model.blocks[plate.block].centroid;
     plate.along = bolt.axis;
     setSprings(type.plate, plate);
     return plate;
@@ -279,7 +279,7 @@ MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, 
 
 BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     assert(model.firstOf.size() == scene.blocks.size() + 1);
-    const Bolt& bolt = scene.bolts[static_cast<std::size_t>(index)];
+    const Bolt& bolt = scene.bolts[index];
     const BoltType& type = boltTypeOf(scene, bolt);
     BoltModel b;
     b.name = bolt.name;

@@ -127,7 +127,7 @@ private:
     /// block.
     int findCell(int n, int before) const {
         const BoltNode& node = motion_.nodes[n];
-        const auto rock = static_cast<std::size_t>(model_.blocks[before].rock);
+        const std::size_t rock = model_.blocks[before].rock;
         int beside = 0;
         for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) {
             const double slack = cellSlack * model_.blocks[cell].size, reach = reachOf(cell);
@@ -202,7 +202,7 @@ private:
             blocks.push_back(block);
             return;
         }
-        const auto rock = static_cast<std::size_t>(model_.blocks[block].rock);
+        const std::size_t rock = model_.blocks[block].rock;
         for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) blocks.push_back(cell);
     }
 

@@ -13,7 +13,7 @@ constexpr double sameCorner = 10.0;  // times the geometric tolerance
 /// Initial position of the contact's corner [m].
 Point startOf(const Model& model, const Contact& c) {
     const BlockModel& block = model.blocks[c.blockA];
-    return block.centroid + block.shape[static_cast<std::size_t>(c.corner)];
+    return block.centroid + block.shape[c.corner];
 }
 
 /// A bond between two blocks at a point.

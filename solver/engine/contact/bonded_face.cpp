@@ -63,8 +63,7 @@ int neighbourTowards(const Model& model, const std::vector<BlockMotion>& blocks,
     const std::vector<int>& turns = model.blocks[c.blockA].turns;
     const std::vector<Point>& corners = blocks[c.blockA].corners;
     const std::size_t n = turns.size();
-    const auto here =
-        static_cast<std::size_t>(std::lower_bound(turns.begin(), turns.end(), c.corner) - turns.begin());
+    const std::size_t here = std::lower_bound(turns.begin(), turns.end(), c.corner) - turns.begin();
     const Point way = far - corners[c.corner];
     for (int neighbour : {turns[(here + n - 1) % n], turns[(here + 1) % n]}) {
         const Point side = corners[neighbour] - corners[c.corner];

@@ -79,9 +79,9 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
     if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return faced;
     for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
         const std::vector<char>& inner = search.model.blocks[b].inner;
-        const auto first = static_cast<std::size_t>(search.model.blocks[b].turns[static_cast<std::size_t>(turn)]);
+        const std::size_t first = search.model.blocks[b].turns[turn];
         if (!inner.empty() && inner[first]) continue;  // not a face: glued to the next cell
-        const Edge& edge = outline.runs[static_cast<std::size_t>(turn)];
+        const Edge& edge = outline.runs[turn];
         const Point from = p - edge.start;
         const double gap = edge.outward.dot(from), along = edge.along.dot(from);
         const double alongEnd = along + edge.along.dot(moves);
@@ -141,7 +141,7 @@ public:
             if (std::abs(at) > over_) continue;
             Faced next;
             next.turn = neighbour;
-            next.edge = search_.outlines[b_].runs[static_cast<std::size_t>(neighbour)];
+            next.edge = search_.outlines[b_].runs[neighbour];
             const std::vector<Point>& own = search_.blocks[a_].corners;
             const Point from = own[corner_] - next.edge.start;
             next.gap = next.edge.outward.dot(from), next.along = next.edge.along.dot(from);
@@ -157,7 +157,7 @@ private:
         if (f.gap < -over_) return false;
         Contact key;
         key.blockA = a_, key.corner = corner_, key.blockB = b_;
-        key.edge = search_.model.blocks[b_].turns[static_cast<std::size_t>(f.turn)];
+        key.edge = search_.model.blocks[b_].turns[f.turn];
         const Contact* old = sameContact(search_.before, key);
         return old && (old->normalForce > 0.0 || old->bonded);
     }
@@ -170,7 +170,7 @@ private:
 Contact contactOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
     Contact contact;
     contact.blockA = a, contact.corner = corner, contact.blockB = b;
-    contact.edge = search.model.blocks[b].turns[static_cast<std::size_t>(faced.turn)];
+    contact.edge = search.model.blocks[b].turns[faced.turn];
     contact.gap = faced.gap;
     contact.lockPlace = faced.along / edgeOf(search.blocks[b].corners, contact.edge).length;
     contact.position = search.blocks[a].corners[corner];
@@ -193,7 +193,7 @@ std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotio
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         outlines[i].box = boxOf(blocks[i].corners);
         const int count = static_cast<int>(model.blocks[i].turns.size());
-        outlines[i].runs.reserve(static_cast<std::size_t>(count));
+        outlines[i].runs.reserve(count);
         for (int turn = 0; turn < count; ++turn)
             outlines[i].runs.push_back(runOf(model.blocks[i], blocks[i].corners, turn));
     }
@@ -263,7 +263,7 @@ std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int 
 
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn) {
     const std::size_t next = (static_cast<std::size_t>(turn) + 1) % block.turns.size();
-    const Point& a = corners[block.turns[static_cast<std::size_t>(turn)]];
+    const Point& a = corners[block.turns[turn]];
     const Point chord = corners[block.turns[next]] - a;
     const double length = chord.norm();
     const Point along = chord / length;

@@ -54,14 +54,14 @@ int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, c
 int openingBetween(const Model& model, const Contact& c) {
     const std::vector<int> &a = model.blocks[c.blockA].faceOpenings, &b = model.blocks[c.blockB].faceOpenings;
     if (a.empty() || b.empty()) return -1;
-    const auto corner = static_cast<std::size_t>(c.corner);
-    const int opening = b[static_cast<std::size_t>(c.edge)];
+    const std::size_t corner = c.corner;
+    const int opening = b[c.edge];
     return a[corner] == opening || a[(corner + a.size() - 1) % a.size()] == opening ? opening : -1;
 }
 
 double openingOf(const std::vector<double>& openings, const Contact& c) {
-    const double own = c.opening < 0 ? 0.0 : openings[static_cast<std::size_t>(c.opening)];
-    return openings[static_cast<std::size_t>(c.joint)] + own;
+    const double own = c.opening < 0 ? 0.0 : openings[c.opening];
+    return openings[c.joint] + own;
 }
 
 double widestOpening(const State& state) {

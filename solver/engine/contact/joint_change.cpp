@@ -56,7 +56,7 @@ std::vector<char> everBonded(const Scene& scene, int stage) {
 std::vector<JointModel> jointModels(const Scene& scene, int stage) {
     auto materials = scene.jointMaterials;
     for (int i = 0; i <= stage; ++i)
-        for (const StrengthChange& to : scene.stages[static_cast<std::size_t>(i)].set)
+        for (const StrengthChange& to : scene.stages[i].set)
             for (auto& [name, material] : materials)
                 if (name == to.jointMaterial) change(material, to);
     return jointRows(materials);
@@ -66,7 +66,7 @@ void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
     const std::vector<char> bonded = everBonded(scene, stage);
     model.joints = jointModels(scene, stage);
     for (Contact& c : state.contacts) {
-        const bool neverBonded = !bonded[static_cast<std::size_t>(c.joint)];
+        const bool neverBonded = !bonded[c.joint];
         if (c.joint == intactRow(model)) continue;
         c.joint = governingJoint(model, state.blocks, c, false);
         const JointModel& joint = model.joints[c.joint];

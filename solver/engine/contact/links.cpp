@@ -40,7 +40,7 @@ public:
     }
 
     void add(int index) {
-        const Contact& c = state_.contacts[static_cast<std::size_t>(index)];
+        const Contact& c = state_.contacts[index];
         const Point place = contactPoint(halfway_, c);
         const Edge edge = edgeOf(halfway_[c.blockB].corners, c.edge);
         const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(frames_[c.blockA], place);

@@ -21,7 +21,7 @@ void forEachLink(Problem& problem, States& state, const Eigen::VectorXd& d, cons
     for (std::size_t i = 0; i < strains.size(); ++i) {
         auto& link = problem.links[i];
         if (!link.law.rigid || link.law.stiffness <= 0.0) continue;
-        auto& contact = state.contacts[static_cast<std::size_t>(link.owner)];
+        auto& contact = state.contacts[link.owner];
         visit(link, contact, strains[i], respond(link.law, strains[i]).force);
     }
 }

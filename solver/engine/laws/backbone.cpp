@@ -14,7 +14,7 @@ constexpr double flattestPiece = 1e-7;  // minimum slope of a piece, over the fi
 /// The piece of the yield curve that starts at or before `accumulated`.
 std::size_t pieceAt(const Backbone& b, double accumulated) {
     const auto after = std::upper_bound(b.plastic.begin(), b.plastic.end(), accumulated);
-    const auto piece = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - b.plastic.begin() - 1));
+    const std::size_t piece = std::max<std::ptrdiff_t>(0, after - b.plastic.begin() - 1);
     return std::min(piece, b.plastic.size() - 1);
 }
 

@@ -176,7 +176,7 @@ inline int intactRow(const Model& model) { return static_cast<int>(model.joints.
 
 /// Row of Model::joints for the face on an edge of a block.
 inline int jointOfFace(const BlockModel& block, int edge) {
-    return block.faceJoints.empty() ? block.jointMaterial : block.faceJoints[static_cast<std::size_t>(edge)];
+    return block.faceJoints.empty() ? block.jointMaterial : block.faceJoints[edge];
 }
 
 /// True if both rows are the same block or two cells of one block.

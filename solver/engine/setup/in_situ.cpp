@@ -43,7 +43,7 @@ public:
     /// True for a plate and for a block in an opening, which carry no in-situ stress.
     bool isApart(int block) const {
         const BlockModel& model = model_.blocks[block];
-        return model.plateOf >= 0 || scene_.blocks[static_cast<std::size_t>(model.rock)].inOpening;
+        return model.plateOf >= 0 || scene_.blocks[model.rock].inOpening;
     }
 
 private:
@@ -99,7 +99,7 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     StepProblem problem = stepForLinks(model);
     addGlueLinks(model, state, problem);
     for (std::size_t first = 0; first + 2 < problem.links.size(); first += 3) {
-        const GlueModel& glue = model.glue[static_cast<std::size_t>(problem.links[first].owner)];
+        const GlueModel& glue = model.glue[problem.links[first].owner];
         if (tractions.isApart(glue.a)) continue;
         const Point middle = model.blocks[glue.a].centroid + glue.placeA, outward = -turnLeft(glue.along);
         const Point from = middle - 0.5 * glue.length * glue.along, to = middle + 0.5 * glue.length * glue.along;
@@ -107,11 +107,11 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
         const Vector6 force = displacementMatrix(a, from).transpose() * tractions.endForce(from, to, outward) +
                               displacementMatrix(a, to).transpose() * tractions.endForce(to, from, outward);
         Eigen::Matrix<double, 6, 3> ways;
-        for (int part = 0; part < 3; ++part) ways.col(part) = -problem.links[first + static_cast<std::size_t>(part)].ga;
+        for (int part = 0; part < 3; ++part) ways.col(part) = -problem.links[first + part].ga;
         const Eigen::Vector3d carried = ways.colPivHouseholderQr().solve(force);
         for (int part = 0; part < 3; ++part) {
-            const Link& link = problem.links[first + static_cast<std::size_t>(part)];
-            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(part)] =
+            const Link& link = problem.links[first + part];
+            state.glue[link.owner].offset[part] =
                 link.strain - carried[part] / link.law.stiffness;
         }
     }

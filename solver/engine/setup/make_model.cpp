@@ -115,7 +115,7 @@ void setFaces(const Scene& scene, const std::vector<CutFace>& faces, BlockModel&
 }
 
 BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock& solved) {
-    const Block& block = scene.blocks[static_cast<std::size_t>(solved.block)];
+    const Block& block = scene.blocks[solved.block];
     const bool plate = solved.plateOf >= 0;
     const Material material = plate ? plateMaterial(boltTypeOf(scene, scene.bolts[solved.plateOf]).plate)
                                     : materialOf(scene, block);

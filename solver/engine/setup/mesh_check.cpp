@@ -41,7 +41,7 @@ void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bo
     const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);
     for (std::size_t n = 0; n < bolt.s.size(); ++n) {
         const int entry = bolt.anchors[n].entry;
-        if (!bolt.anchors[n].real || bolt.startBlock[n] >= 0 || !anchors[static_cast<std::size_t>(entry)].at) continue;
+        if (!bolt.anchors[n].real || bolt.startBlock[n] >= 0 || !anchors[entry].at) continue;
         const std::string place = boltPointer(scene, index);
         Problem problem;
         problem.severity = Severity::Warning;

@@ -75,7 +75,7 @@ public:
     std::vector<SingleForce> take() { return std::move(forces_); }
 
 private:
-    static std::size_t at(int block) { return static_cast<std::size_t>(block); }
+    static std::size_t at(int block) { return block; }
 
     void addEnd(const StepProblem& problem, const Link& link, int body, int other, const Vector6& gradient, double force) {
         if (body >= problem.blocks || force == 0.0) return;
@@ -184,7 +184,7 @@ void addLinks(const StepView& view, ForceList& list) {
 void addReactions(const StepView& view, const Eigen::VectorXd& net, ForceList& list) {
     Eigen::VectorXd reaction = Eigen::VectorXd::Zero(net.size());
     for (Eigen::Index i = 0; i < net.size(); ++i)
-        if (view.problem.known[static_cast<std::size_t>(i)]) reaction[i] = -net[i];
+        if (view.problem.known[i]) reaction[i] = -net[i];
     addBodyForces(view, ForceSource::Support, reaction, list);
 }
 
@@ -240,7 +240,7 @@ std::vector<SingleForce> forcesAtStart(const Model& model, const State& state, c
     Eigen::VectorXd net = netForce(problem, still);
     ForceList list = allButInertia(view, net);
     for (Eigen::Index i = 0; i < net.size(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) net[i] = 0.0;
+        if (problem.known[i]) net[i] = 0.0;
     addBodyForces(view, ForceSource::Dashpot, massDamping(view), list);
     addBodyForces(view, ForceSource::Inertia, -net, list);
     return list.take();

@@ -58,7 +58,7 @@ bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const St
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
         if (!ofContact(link.kind)) continue;
-        const Contact& c = contacts[static_cast<std::size_t>(link.owner)];
+        const Contact& c = contacts[link.owner];
         const double strain = link.kind == LinkKind::Normal ? gapOf(blocks, c) + link.shift : slipOf(blocks, c);
         const double off = respond(link.law, strain).force - respond(link.law, strains[i]).force;
         if (std::abs(off) > arcShare * reference) return false;
@@ -72,7 +72,7 @@ bool supportArcsHold(const Model& model, const State& from, const StepProblem& p
     std::vector<double> reference = problem.ownForce, beyond(reference.size(), 0.0);
     for (const Link& link : problem.links) {
         if (link.kind != LinkKind::Support) continue;
-        const auto row = static_cast<std::size_t>(link.a);
+        const std::size_t row = link.a;
         const Vector6 way = d.segment<6>(6 * static_cast<Eigen::Index>(link.a));
         if (model.blocks[row].size * way[2] * way[2] < model.tolerance) continue;
         const double strain = link.strain + link.shift + link.ga.dot(way);
@@ -123,7 +123,7 @@ void DynamicStage::drive(State& state) const {
     const double before = kineticEnergy(engine_.model, state);
     for (std::size_t i = 0; i < loads_.motions.size(); ++i) {
         const PrescribedMotion& motion = loads_.motions[i];
-        Vector6& velocity = state.blocks[static_cast<std::size_t>(motion.block)].velocity;
+        Vector6& velocity = state.blocks[motion.block].velocity;
         velocity[0] = (next.motions[i] - first.motions[i]) / settings_.timeStep;
         if (motion.holdsRotation) velocity[2] = 0.0;
     }
@@ -159,7 +159,7 @@ void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
     if (held.size() == 0) return;
     const Eigen::VectorXd now = heldAccelerations(state);
     for (Eigen::Index i = 0; i < held.size(); ++i)
-        if (now[i] != held[i]) state.acceleration[static_cast<std::size_t>(i)] += now[i] - held[i];
+        if (now[i] != held[i]) state.acceleration[i] += now[i] - held[i];
 }
 
 /// Loads at the time at which the scheme evaluates them, prescribed motions at the end of the step.

@@ -31,7 +31,7 @@ double blockEnergy(const Model& model, const State& state) {
 }  // namespace
 
 double energyOfBlock(const Model& model, int row, const BlockMotion& motion) {
-    const BlockModel& block = model.blocks[static_cast<std::size_t>(row)];
+    const BlockModel& block = model.blocks[row];
     return 0.5 * motion.velocity.dot(block.massMatrix * motion.velocity) + strainEnergy(model, block, motion);
 }
 

@@ -18,7 +18,7 @@ namespace keyblock {
 namespace {
 
 bool known(const StepProblem& problem, Eigen::Index unknown) {
-    return problem.known[static_cast<std::size_t>(unknown)] != 0;
+    return problem.known[unknown] != 0;
 }
 
 bool sameLink(const Link& a, const Link& b) { return a.kind == b.kind && a.owner == b.owner && a.part == b.part; }
@@ -38,7 +38,7 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
                   const State& unaccepted) {
     if (!ofContact(link.kind)) return {first.strain, carriedForce(link.law, first.strain), limit};
     const bool met = !own;
-    const Contact& c = unaccepted.contacts[static_cast<std::size_t>(link.owner)];
+    const Contact& c = unaccepted.contacts[link.owner];
     PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
     if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
     if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
@@ -133,7 +133,7 @@ StepProblem StaticAccount::atStart(const State& end) const {
 }
 
 const Contact* StaticAccount::contactAtStart(const Link& link, const State& end) const {
-    return ofContact(link.kind) ? sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)])
+    return ofContact(link.kind) ? sameContact(start_.contacts, end.contacts[link.owner])
                                 : nullptr;
 }
 
@@ -144,7 +144,7 @@ double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& 
     correctFrictionLimits(problem, Eigen::VectorXd::Zero(problem.unknowns()));
     double sum = 0.0;
     for (const Link& link : problem.links) {
-        const Contact& c = start_.contacts[static_cast<std::size_t>(link.owner)];
+        const Contact& c = start_.contacts[link.owner];
         if (sameContact(end.contacts, c)) continue;
         const double way = link.ga.dot(moved.segment<6>(6 * link.a)) + link.gb.dot(moved.segment<6>(6 * link.b));
         const double shear = link.law.rigid ? c.shearForce : std::clamp(c.shearForce, -link.law.limit, link.law.limit);

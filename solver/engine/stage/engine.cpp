@@ -68,9 +68,9 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     engine.newest.passes = report.passes;
     engine.newest.worst = blockOfBody(engine.model, report.worst);
     for (const LimitPair& pair : problem.limitPairs) {
-        const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
+        const Link& link = problem.links[pair.limited];
         if (link.kind != LinkKind::Friction) continue;
-        state.contacts[static_cast<std::size_t>(link.owner)].limit = link.law.limit;
+        state.contacts[link.owner].limit = link.law.limit;
     }
     if (engine.passed) engine.passed();
     return report;
@@ -86,7 +86,7 @@ double blockMove(const Model& model, const StepProblem& problem, const Eigen::Ve
     const auto first = 6 * static_cast<Eigen::Index>(block);
     Vector6 own = d.segment<6>(first);
     for (Eigen::Index k = 0; k < 6; ++k)
-        if (problem.known[static_cast<std::size_t>(first + k)]) own[k] = 0.0;
+        if (problem.known[first + k]) own[k] = 0.0;
     double reach = 0.0;
     for (const Point& corner : model.blocks[block].shape) reach = std::max(reach, corner.norm());
     return own.head<2>().norm() + (std::abs(own[2]) + own.tail<3>().cwiseAbs().maxCoeff()) * reach;
@@ -96,7 +96,7 @@ double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d) {
     double largest = 0.0;
     for (int n = 0; n < problem.nodes; ++n) {
         const int first = problem.first(problem.blocks + n);
-        if (!problem.known[static_cast<std::size_t>(first)]) largest = std::max(largest, d.segment<2>(first).norm());
+        if (!problem.known[first]) largest = std::max(largest, d.segment<2>(first).norm());
     }
     return largest;
 }
@@ -114,7 +114,7 @@ int blockOfBody(const Model& model, int body) {
 
 std::string nameOfBody(const Model& model, int body) {
     if (const int block = blockOfBody(model, body); block >= 0)
-        return "block " + model.blocks[static_cast<std::size_t>(block)].name;
+        return "block " + model.blocks[block].name;
     const int node = body - static_cast<int>(model.blocks.size());
     for (const BoltModel& bolt : model.bolts)
         if (node >= bolt.firstNode && node < bolt.firstNode + static_cast<int>(bolt.s.size()))
@@ -129,8 +129,8 @@ void countAccepted(Engine& engine, const State& state, double residual) {
     newest.penetrated = -1;
     for (const Contact& c : state.contacts) {
         const double depth = c.gapOffset - c.gap;
-        const double size = std::min(engine.model.blocks[static_cast<std::size_t>(c.blockA)].size,
-                                     engine.model.blocks[static_cast<std::size_t>(c.blockB)].size);
+        const double size = std::min(engine.model.blocks[c.blockA].size,
+                                     engine.model.blocks[c.blockB].size);
         if (!(depth / size > newest.penetrationRatio)) continue;
         newest.penetrationRatio = depth / size;
         newest.penetrated = c.blockA;

@@ -189,7 +189,7 @@ private:
     double heaviestRestless() const {
         double most = 0.0;
         for (const int body : unrest_.restless)
-            if (blockOfBody(model_, body) >= 0) most = std::max(most, rest_.own[static_cast<std::size_t>(body)]);
+            if (blockOfBody(model_, body) >= 0) most = std::max(most, rest_.own[body]);
         return most;
     }
 
@@ -200,8 +200,8 @@ private:
         for (std::size_t i = 0; i < after.size(); ++i) {
             const Link& link = problem.links[i];
             if (!ofContact(link.kind)) continue;
-            const double least = std::min(model_.blocks[static_cast<std::size_t>(link.a)].size,
-                                          model_.blocks[static_cast<std::size_t>(link.b)].size);
+            const double least = std::min(model_.blocks[link.a].size,
+                                          model_.blocks[link.b].size);
             if (std::abs(after[i] - link.strain) > jumpShare * least) return true;
         }
         return false;
@@ -300,7 +300,7 @@ private:
         const double penalty = model_.analysis.penaltyRatio * mostNoise / unrest_.noise;
         return {Ending::Undecided,
                 "round-off hides " + rounded(unrest_.noise) + " of the weight of block " +
-                    model_.blocks[static_cast<std::size_t>(*hidden)].name + "; with a penalty ratio of " +
+                    model_.blocks[*hidden].name + "; with a penalty ratio of " +
                     rounded(penalty) + " or less it would not",
                 unrest_.undecidable, {}, -1, true};
     }
@@ -353,7 +353,7 @@ private:
         rest_ = restForces(model_, state_, problem, weightPerMass(model_, at_));
         unrest_ = farthestFromRest(model_, state_, problem, rest_, net, settings_.body);
         for (int i = 0; i < problem.unknowns(); ++i)
-            if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
+            if (problem.known[i] && std::abs(problem.value[i]) > roundOff()) return false;
         const double reference = referenceForce(problem, still, net);
         const double before = std::exchange(residual_, residualNorm(problem, net) / reference);
         if (usesMultipliers(model_) && multiplierError(model_, state_, problem, still) > 1.0) return false;

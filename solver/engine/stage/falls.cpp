@@ -28,7 +28,7 @@ Falls::Falls(const Model& model, const State& state, double share, double smalle
     }
     for (const BoltMotion& bolt : state.bolts)
         for (const Slot& slot : bolt.slots)
-            if (!bolt.lost && !bolt.absent) bolted_[static_cast<std::size_t>(slot.block)] = 1;
+            if (!bolt.lost && !bolt.absent) bolted_[slot.block] = 1;
 }
 
 void Falls::note(const std::vector<double>& moves, double dt, const std::vector<double>& own) {
@@ -43,7 +43,7 @@ void Falls::note(const std::vector<double>& moves, double dt, const std::vector<
 }
 
 bool Falls::falls(const std::vector<BlockMotion>& blocks, int block) const {
-    const auto at = static_cast<std::size_t>(block);
+    const std::size_t at = block;
     if (accelerations_.size() < remembered || model_.blocks[at].plateOf >= 0) return false;
     const double now = accelerations_.back()[at], way = moved(blocks, block);
     if (now < steady * accelerations_.front()[at] || isCaught(block)) return false;
@@ -52,7 +52,7 @@ bool Falls::falls(const std::vector<BlockMotion>& blocks, int block) const {
 
 /// True if the acceleration of a bolted block decreases so fast that its bolts stop it before it has moved by its size.
 bool Falls::isCaught(int block) const {
-    const auto at = static_cast<std::size_t>(block);
+    const std::size_t at = block;
     if (!bolted_[at]) return false;
     double way = 0.0;
     for (std::size_t step = 1; step < moves_.size(); ++step) way += moves_[step][at];
@@ -61,13 +61,13 @@ bool Falls::isCaught(int block) const {
 }
 
 bool Falls::sameWhateverTheStep(int block) const {
-    const auto at = static_cast<std::size_t>(block);
+    const std::size_t at = block;
     const double now = accelerations_.back()[at], before = accelerations_[accelerations_.size() - 2][at];
     return std::abs(now - before) <= alike * before;
 }
 
 bool Falls::follows(const std::vector<BlockMotion>& blocks, int block) const {
-    const auto at = static_cast<std::size_t>(block);
+    const std::size_t at = block;
     if (accelerations_.empty() || model_.blocks[at].plateOf >= 0) return false;
     return accelerations_.back()[at] > share_ && moved(blocks, block) > leastWay;
 }
@@ -75,13 +75,13 @@ bool Falls::follows(const std::vector<BlockMotion>& blocks, int block) const {
 std::vector<int> Falls::loosePieces(const std::vector<BlockMotion>& blocks) const {
     std::vector<int> loose;
     for (int row = 0; row < static_cast<int>(blocks.size()); ++row)
-        if (!decides(row) && !blocks[static_cast<std::size_t>(row)].absent && (falls(blocks, row) || hasLeft(blocks, row)))
+        if (!decides(row) && !blocks[row].absent && (falls(blocks, row) || hasLeft(blocks, row)))
             for (int cell = wholeOf(model_, row); cell < endOfWhole(model_, wholeOf(model_, row)); ++cell) loose.push_back(cell);
     return loose;
 }
 
 double Falls::moved(const std::vector<BlockMotion>& blocks, int block) const {
-    const auto at = static_cast<std::size_t>(block);
+    const std::size_t at = block;
     return (blocks[at].centroid - places_[at]).norm() / sizes_[at];
 }
 

@@ -31,7 +31,7 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
     for (Link& link : problem.links) {
         if (link.kind == LinkKind::Support || link.kind == LinkKind::Glue) continue;
         if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction) {
-            if (touches(model, state.contacts[static_cast<std::size_t>(link.owner)])) continue;
+            if (touches(model, state.contacts[link.owner])) continue;
             link.law = {};
         } else {
             const double force = respond(link.law, link.strain).force;
@@ -53,16 +53,16 @@ void keepForces(const Model& model, State& state, const StepProblem& problem, co
         if (link.law.stiffness <= 0.0) continue;
         const double force = respond(link.law, strains[i]).force;
         if (link.kind == LinkKind::Normal) {
-            carryNormal(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, -force);
+            carryNormal(model, state.contacts[link.owner], link.strain, -force);
             push = std::max(0.0, -force);
         }
         if (link.kind == LinkKind::Friction) {
-            Contact& c = state.contacts[static_cast<std::size_t>(link.owner)];
+            Contact& c = state.contacts[link.owner];
             const double most = c.bonded ? std::abs(force) : frictionOf(model, c) * push;
             carryShear(model, c, link.strain, std::clamp(force, -most, most));
         }
         if (link.kind == LinkKind::Glue)
-            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] =
+            state.glue[link.owner].offset[link.part] =
                 link.strain - force / link.law.stiffness;
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i)

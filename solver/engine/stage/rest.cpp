@@ -35,7 +35,7 @@ struct LinkSums {
     std::vector<double> springs, outerSprings;  // Σ k² over all links, and without glue [N²/m²]
 
     explicit LinkSums(const StepProblem& problem) {
-        const auto bodies = static_cast<std::size_t>(problem.blocks + problem.nodes);
+        const std::size_t bodies = problem.blocks + problem.nodes;
         all = rock = others = springs = outerSprings = std::vector<double>(bodies, 0.0);
         for (const Link& link : problem.links) {
             add(problem, link, link.a, link.ga);
@@ -49,7 +49,7 @@ struct LinkSums {
         const double pull = link.law.share * gradient.head(width).cwiseProduct(weight).norm();
         const double force = pull * std::abs(respond(problem, link, link.strain + link.shift).force);
         const double spring = pull * link.law.stiffness * gradient.head<2>().norm();
-        const auto at = static_cast<std::size_t>(body);
+        const std::size_t at = body;
         double& largest = ofContact(link.kind) || link.kind == LinkKind::Glue ? rock[at] : others[at];
         largest = std::max(largest, force);
         all[at] += force;
@@ -103,9 +103,9 @@ public:
     }
 
 private:
-    static std::size_t at(int body) { return static_cast<std::size_t>(body); }
+    static std::size_t at(int body) { return body; }
 
-    double free(Eigen::Index row) const { return problem_.known[static_cast<std::size_t>(row)] ? 0.0 : net_[row]; }
+    double free(Eigen::Index row) const { return problem_.known[row] ? 0.0 : net_[row]; }
 
     Left leftOn(int block) const {
         const Point& axis = state_.blocks[at(block)].axis;

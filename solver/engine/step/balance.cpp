@@ -24,7 +24,7 @@ bool isDriven(const StepProblem& problem, int body) {
 /// Round-off error of the loads and the inertia force on each body [N].
 std::vector<double> ownNoise(const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> noise;
-    noise.reserve(static_cast<std::size_t>(problem.blocks + problem.nodes));
+    noise.reserve(problem.blocks + problem.nodes);
     for (const Matrix6& stiffness : problem.blockStiffness) {
         const int at = problem.first(static_cast<int>(noise.size()));
         const Vector6 size = d.segment<6>(at).cwiseAbs();
@@ -59,8 +59,8 @@ void Balance::addUpForces() {
         if (trial_->laws[i].force == 0.0) continue;
         const Link& link = problem_->links[i];
         const double force = link.law.share * std::abs(trial_->laws[i].force);
-        forces_[static_cast<std::size_t>(link.a)] += rows_->pullOnA(i) * force;
-        if (link.b >= 0) forces_[static_cast<std::size_t>(link.b)] += rows_->pullOnB(i) * force;
+        forces_[link.a] += rows_->pullOnA(i) * force;
+        if (link.b >= 0) forces_[link.b] += rows_->pullOnB(i) * force;
     }
 }
 
@@ -78,8 +78,8 @@ void Balance::addUpNoise() {
         for (int k = 0; k < 6; ++k) size += std::abs(g[k] * d[rows_->firstOfA(i) + k]);
         for (int k = 0; k < 6; ++k) size += std::abs(g[6 + k] * d[rows_->firstOfB(i) + k]);
         const double lost = digits * link.law.share * (r.tangent * size + std::abs(r.force));
-        noise_[static_cast<std::size_t>(link.a)] += rows_->pullOnA(i) * lost;
-        if (link.b >= 0) noise_[static_cast<std::size_t>(link.b)] += rows_->pullOnB(i) * lost;
+        noise_[link.a] += rows_->pullOnA(i) * lost;
+        if (link.b >= 0) noise_[link.b] += rows_->pullOnB(i) * lost;
     }
 }
 
@@ -88,7 +88,7 @@ void Balance::compareBodies() {
     beyond_ = 0.0;
     for (int body = 0; body < problem_->blocks + problem_->nodes; ++body) {
         if (isDriven(*problem_, body)) continue;
-        const auto at = static_cast<std::size_t>(body);
+        const std::size_t at = body;
         allForces += forces_[at] * forces_[at];
         const double left = bodyResidual(*problem_, trial_->net, body), ratio = left / (ofOneBody * forces_[at]);
         if (ratio > worst) {
@@ -104,12 +104,12 @@ void Balance::compareBodies() {
     if (!std::isfinite(allLeft)) residual_ = allLeft;
 }
 
-double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[static_cast<std::size_t>(body)]; }
+double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[body]; }
 
 bool Balance::within(double tolerance) const { return residual_ <= tolerance && beyond_ <= 1.0; }
 
 double Balance::slack(int body, double tolerance) const {
-    const auto at = static_cast<std::size_t>(body);
+    const std::size_t at = body;
     const double passes = tolerance * forces_[at];
     const double may = problem_->mayLeave.empty() ? passes : std::min(passes, problem_->mayLeave[at]);
     return std::max(may, noiseOf(body));

@@ -45,7 +45,7 @@ std::vector<Sliding> slidingLinks(const StepProblem& problem, const Trial& at) {
 
 void freeOnly(const StepProblem& problem, Eigen::VectorXd& x) {
     for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) x[i] = 0.0;
+        if (problem.known[i]) x[i] = 0.0;
 }
 
 /// The matrix of the step including the dependence of sliding friction on the normal forces: A + C.
@@ -113,8 +113,8 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
         solved.push_back(matrix.solve(basis.back(), work));
         Eigen::VectorXd next = coupled.times(solved.back(), basis.back());
         for (int j = 0; j <= k; ++j) {
-            h(j, k) = basis[static_cast<std::size_t>(j)].dot(next);
-            next -= h(j, k) * basis[static_cast<std::size_t>(j)];
+            h(j, k) = basis[j].dot(next);
+            next -= h(j, k) * basis[j];
         }
         h(k + 1, k) = next.norm();
         Eigen::VectorXd right = Eigen::VectorXd::Zero(k + 2);
@@ -127,7 +127,7 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     }
     if (!done && !matrix.exact()) matrix.forget();
     Eigen::VectorXd sum = x;
-    for (Eigen::Index k = 0; k < weights.size(); ++k) sum += weights[k] * solved[static_cast<std::size_t>(k)];
+    for (Eigen::Index k = 0; k < weights.size(); ++k) sum += weights[k] * solved[k];
     if ((done || left <= looseTolerance * net.norm()) && sum.dot(net) > 0.0) return {sum, slides};
     return {x, slides, false};
 }

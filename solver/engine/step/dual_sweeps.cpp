@@ -65,7 +65,7 @@ void DualSweeps::holdTheRest(const Trial& from) {
     Eigen::VectorXd outer = padded(problem_.load);
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(outer.size());
     for (int i = 0; i < problem_.unknowns(); ++i)
-        if (problem_.known[static_cast<std::size_t>(i)]) moves[i] = problem_.value[i];
+        if (problem_.known[i]) moves[i] = problem_.value[i];
     outer -= bodyProduct(problem_, moves);
     laws_.resize(rows_.count());
     for (std::size_t i = 0; i < rows_.count(); ++i) {

@@ -74,8 +74,8 @@ bool FactoredLinks::begin(const StepProblem& problem, const LinkRows& rows) {
     auto next = now.begin();
     for (const auto& [key, row] : before) {
         while (next != now.end() && next->first < key) ++next;
-        const FactoredLink& link = links_[static_cast<std::size_t>(row)];
-        if (next != now.end() && next->first == key) links[static_cast<std::size_t>((next++)->second)] = link;
+        const FactoredLink& link = links_[row];
+        if (next != now.end() && next->first == key) links[(next++)->second] = link;
         else if (link.weight > 0.0) ended_.push_back(link);
     }
     links_ = std::move(links);

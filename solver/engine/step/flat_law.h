@@ -45,7 +45,7 @@ inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
 
 /// Compact form of the law of a link whose limit follows the force of another link.
 inline FlatLaw flatLaw(const StepProblem& problem, const LimitPair& pair) {
-    const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
+    const Link& link = problem.links[pair.limited];
     FlatLaw flat = flatLaw(problem, link);
     flat.follows = link.law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
     flat.bent = flat.bent || !flat.follows;

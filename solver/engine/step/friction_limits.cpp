@@ -22,10 +22,10 @@ double limitFrom(const LimitPair& pair, double force) {
 }  // namespace
 
 void setLimit(StepProblem& problem, const LimitPair& pair, double force) {
-    Law& limited = problem.links[static_cast<std::size_t>(pair.limited)].law;
+    Law& limited = problem.links[pair.limited].law;
     // a constant force kept during the preload search does not depend on other forces
     if (limited.kind == LawKind::Constant && pair.rule != LimitPair::Rule::Push) return;
-    const bool weighted = ofContact(problem.links[static_cast<std::size_t>(pair.from)].kind);
+    const bool weighted = ofContact(problem.links[pair.from].kind);
     limited.limit = limitFrom(pair, weighted ? force / problem.contactShare : force);
 }
 
@@ -35,7 +35,7 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     linkStrains(problem, d, strains);
     // with mean forces over the step, friction is limited by the mean normal force, so that impulses obey Coulomb's law
     for (const LimitPair& pair : problem.limitPairs) {
-        const auto from = static_cast<std::size_t>(pair.from);
+        const std::size_t from = pair.from;
         setLimit(problem, pair, respond(problem, problem.links[from], strains[from]).force);
     }
 }

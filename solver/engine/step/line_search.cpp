@@ -29,7 +29,7 @@ public:
         for (std::size_t n = 0; n < rows_.size(); ++n) {
             const Row& row = rows_[n];
             forces_[n] = row.from < 0 ? forceOf(row, length, row.law.low, row.law.high)
-                                      : limitedForce(row, length, forces_[static_cast<std::size_t>(row.from)]);
+                                      : limitedForce(row, length, forces_[row.from]);
             slope += row.share * forces_[n] * row.rate;
         }
         return slope;
@@ -38,8 +38,8 @@ public:
     /// Sets the friction limits of the problem to those of the last length.
     void keepLimits() {
         for (const int n : followers_) {
-            const Row& row = rows_[static_cast<std::size_t>(n)];
-            setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], forces_[static_cast<std::size_t>(row.from)]);
+            const Row& row = rows_[n];
+            setLimit(problem_, problem_.limitPairs[row.pair], forces_[row.from]);
         }
     }
 
@@ -54,14 +54,14 @@ private:
     void takeBodies(const Eigen::VectorXd& d, const Eigen::VectorXd& direction) {
         constant_ = -problem_.load.dot(direction.head(problem_.unknowns()));
         for (int i = 0; i < problem_.blocks; ++i) {
-            const Vector6 rise = problem_.blockStiffness[static_cast<std::size_t>(i)] * direction.segment<6>(6 * i);
+            const Vector6 rise = problem_.blockStiffness[i] * direction.segment<6>(6 * i);
             constant_ += rise.dot(d.segment<6>(6 * i));
             rate_ += rise.dot(direction.segment<6>(6 * i));
         }
         for (int i = 0; i < problem_.nodes; ++i) {
             const int at = problem_.first(problem_.blocks + i);
             const Eigen::Vector3d rise =
-                problem_.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(direction.segment<3>(at));
+                problem_.nodeStiffness[i].cwiseProduct(direction.segment<3>(at));
             constant_ += rise.dot(d.segment<3>(at));
             rate_ += rise.dot(direction.segment<3>(at));
         }
@@ -77,7 +77,7 @@ private:
         for (std::size_t p = 0; coupled && p < problem_.limitPairs.size(); ++p) {
             const LimitPair& pair = problem_.limitPairs[p];
             assert(pair.from < pair.limited);
-            Row& row = rows_[static_cast<std::size_t>(pair.limited)];
+            Row& row = rows_[pair.limited];
             row.law = flatLaw(problem_, pair);
             row.from = pair.from;
             row.pair = static_cast<int>(p);
@@ -87,12 +87,12 @@ private:
 
     double forceOf(const Row& row, double length, double low, double high) const {
         const double strain = row.strain + length * row.rate;
-        if (row.law.bent) return respond(problem_, problem_.links[static_cast<std::size_t>(row.link)], strain).force;
+        if (row.law.bent) return respond(problem_, problem_.links[row.link], strain).force;
         return clipped(row.law.stiffness * (strain - row.law.offset), low, high);
     }
 
     double limitedForce(const Row& row, double length, double from) {
-        if (row.law.bent) setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], from);
+        if (row.law.bent) setLimit(problem_, problem_.limitPairs[row.pair], from);
         const double most = row.law.limit(from);
         return forceOf(row, length, -most, most);
     }

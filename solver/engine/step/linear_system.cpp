@@ -143,7 +143,7 @@ struct LinearSystem::Detail {
     int lostPivot() const;
 
     int unknownOfColumn(std::size_t column) const { return order[std::min(column, order.size() - 1)]; }
-    int placeOf(int unknown) const { return place[static_cast<std::size_t>(unknown)]; }
+    int placeOf(int unknown) const { return place[unknown]; }
 
     void backSubstitute(std::span<const double> rhs, std::span<double> x);
     void solveColumns();
@@ -161,15 +161,15 @@ struct LinearSystem::Detail {
 };
 
 void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, int>> pairs) {
-    const std::size_t count = static_cast<std::size_t>(n);
+    const std::size_t count = n;
     std::vector<int> start(count + 1, 0);
-    for (const auto& [i, j] : pairs) ++start[static_cast<std::size_t>(std::min(placeOf(i), placeOf(j))) + 1];
+    for (const auto& [i, j] : pairs) ++start[std::min(placeOf(i), placeOf(j)) + 1];
     for (std::size_t k = 0; k < count; ++k) start[k + 1] += start[k] + 1;  // plus the diagonal entry
 
-    std::vector<int> row(static_cast<std::size_t>(start[count]));
+    std::vector<int> row(start[count]);
     std::vector<int> next(start.begin(), start.end() - 1);
     const auto put = [&](int i, int j) {
-        row[static_cast<std::size_t>(next[static_cast<std::size_t>(std::min(i, j))]++)] = std::max(i, j);
+        row[next[std::min(i, j)]++] = std::max(i, j);
     };
     for (int k = 0; k < n; ++k) put(k, k);
     for (const auto& [i, j] : pairs) put(placeOf(i), placeOf(j));
@@ -184,7 +184,7 @@ void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, in
         unique[k + 1] = static_cast<int>(end - row.begin());
     }
 
-    const std::size_t entryCount = static_cast<std::size_t>(unique[count]);
+    const std::size_t entryCount = unique[count];
     cholmod_free_sparse(&matrix, &common);
     matrix = cholmod_allocate_sparse(count, count, entryCount, 1, 1, -1, CHOLMOD_REAL, &common);
     requireMemory();
@@ -218,7 +218,7 @@ int LinearSystem::Detail::factorize() {
 void LinearSystem::Detail::takeOrder() {
     const auto* found = static_cast<const int*>(factor->Perm);
     order.assign(found, found + factor->n);
-    for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
 }
 
 template <class Visit>
@@ -250,10 +250,10 @@ int LinearSystem::Detail::lostPivot() const {
 }
 
 void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span<double> x) {
-    for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = rhs[static_cast<std::size_t>(order[k])];
+    for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = rhs[order[k]];
     if (factor->is_super) solveSupernodes(*factor, ordered, solved);
     else solveColumns();
-    for (std::size_t k = 0; k < order.size(); ++k) x[static_cast<std::size_t>(order[k])] = ordered[k];
+    for (std::size_t k = 0; k < order.size(); ++k) x[order[k]] = ordered[k];
 }
 
 /// Solves for `ordered` with a simplicial factor, in place.
@@ -330,7 +330,7 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     Detail& d = *detail_;
     useOneThread();
     d.release();
-    d.place.resize(static_cast<std::size_t>(n));
+    d.place.resize(n);
     std::iota(d.place.begin(), d.place.end(), 0);
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_AMD);
@@ -338,9 +338,9 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_NATURAL);
     if (d.factor->is_super) d.analyseSupernodes();
-    d.ordered.resize(static_cast<std::size_t>(n));
-    d.residual.resize(static_cast<std::size_t>(n));
-    d.correction.resize(static_cast<std::size_t>(n));
+    d.ordered.resize(n);
+    d.residual.resize(n);
+    d.correction.resize(n);
 }
 
 int LinearSystem::size() const { return detail_->size(); }
@@ -400,10 +400,10 @@ void LinearSystem::multiply(std::span<const double> x, std::span<double> y) cons
     std::ranges::fill(y, 0.0);
     for (int column = 0; column < d.size(); ++column) {
         const int diagonal = d.columns()[column];
-        const auto j = static_cast<std::size_t>(d.unknownOfColumn(static_cast<std::size_t>(column)));
+        const std::size_t j = d.unknownOfColumn(static_cast<std::size_t>(column));
         double sum = d.entries()[diagonal] * x[j];
         for (int k = diagonal + 1; k < d.columns()[column + 1]; ++k) {
-            const auto i = static_cast<std::size_t>(d.unknownOfColumn(static_cast<std::size_t>(d.rows()[k])));
+            const std::size_t i = d.unknownOfColumn(static_cast<std::size_t>(d.rows()[k]));
             y[i] += d.entries()[k] * x[j];
             sum += d.entries()[k] * x[i];
         }

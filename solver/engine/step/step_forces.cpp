@@ -44,14 +44,14 @@ double largestSum(const StepProblem& problem, const std::vector<double>& forces,
         else if (kind != LinkKind::Bend && kind != LinkKind::Shear && kind != LinkKind::Drag) bolt += std::abs(forces[i]);
     }
     for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) reaction += std::abs(net[i]) * problem.weight[i];
+        if (problem.known[i]) reaction += std::abs(net[i]) * problem.weight[i];
     return std::max({problem.externalForce, reaction, contact, bolt, problem.floorForce});
 }
 
 double squaredResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
     double sum = 0.0;
     for (int k = problem.first(body); k < problem.first(body) + problem.width(body); ++k) {
-        if (problem.known[static_cast<std::size_t>(k)]) continue;
+        if (problem.known[k]) continue;
         const double r = net[k] * problem.weight[k];
         sum += r * r;
     }
@@ -83,10 +83,10 @@ Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> forces;
     Eigen::VectorXd net = problem.load - linkForces(problem, d, forces);
     for (int i = 0; i < problem.blocks; ++i)
-        net.segment<6>(6 * i) -= problem.blockStiffness[static_cast<std::size_t>(i)] * d.segment<6>(6 * i);
+        net.segment<6>(6 * i) -= problem.blockStiffness[i] * d.segment<6>(6 * i);
     for (int i = 0; i < problem.nodes; ++i) {
         const int at = problem.first(problem.blocks + i);
-        net.segment<3>(at) -= problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(d.segment<3>(at));
+        net.segment<3>(at) -= problem.nodeStiffness[i].cwiseProduct(d.segment<3>(at));
     }
     return net;
 }

@@ -31,8 +31,8 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
 
 int StepMatrix::pairOf(int a, int b) const {
     const auto [second, first] = std::minmax(a, b);
-    const auto begin = pairs_.begin() + (first > 0 ? own_[static_cast<std::size_t>(first - 1)] + 1 : 0);
-    const auto end = pairs_.begin() + own_[static_cast<std::size_t>(first)] + 1;
+    const auto begin = pairs_.begin() + (first > 0 ? own_[first - 1] + 1 : 0);
+    const auto end = pairs_.begin() + own_[first] + 1;
     return static_cast<int>(std::lower_bound(begin, end, std::pair(first, second)) - pairs_.begin());
 }
 
@@ -70,11 +70,11 @@ void StepMatrix::fixPattern(const StepProblem& problem, std::vector<std::pair<in
     own_.clear();
     for (std::size_t p = 0; p < pairs_.size(); ++p)
         if (pairs_[p].first == pairs_[p].second) own_.push_back(static_cast<int>(p));
-    equations_.assign(static_cast<std::size_t>(problem.unknowns() + LinkRows::padding), -1);
+    equations_.assign(problem.unknowns() + LinkRows::padding, -1);
     unknownOf_.clear();
     for (int i = 0; i < problem.unknowns(); ++i) {
-        if (known_[static_cast<std::size_t>(i)]) continue;
-        equations_[static_cast<std::size_t>(i)] = static_cast<int>(unknownOf_.size());
+        if (known_[i]) continue;
+        equations_[i] = static_cast<int>(unknownOf_.size());
         unknownOf_.push_back(i);
     }
     findSlots(problem);
@@ -86,8 +86,8 @@ void StepMatrix::findSlots(const StepProblem& problem) {
     const auto eachEntry = [&](const std::pair<int, int>& pair, const auto& visit) {
         for (int i = 0; i < problem.width(pair.first); ++i)
             for (int j = 0; j < problem.width(pair.second); ++j) {
-                const int row = equations_[static_cast<std::size_t>(problem.first(pair.first) + i)];
-                const int col = equations_[static_cast<std::size_t>(problem.first(pair.second) + j)];
+                const int row = equations_[problem.first(pair.first) + i];
+                const int col = equations_[problem.first(pair.second) + j];
                 if (row >= 0 && col >= 0 && row >= col) visit(i + 6 * j, row, col);
             }
     };
@@ -99,7 +99,7 @@ void StepMatrix::findSlots(const StepProblem& problem) {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         slots_[p].fill(-1);
         eachEntry(pairs_[p], [&](int at, int row, int col) {
-            slots_[p][static_cast<std::size_t>(at)] = system_.slot(row, col);
+            slots_[p][at] = system_.slot(row, col);
         });
     }
 }
@@ -107,11 +107,11 @@ void StepMatrix::findSlots(const StepProblem& problem) {
 /// Adds up the links pair by pair first, so that the sparse matrix is traversed only once and not for every link.
 void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights) {
     sums_.assign(pairs_.size(), Matrix6::Zero());
-    const auto sumOf = [&](int pair) -> Matrix6& { return sums_[static_cast<std::size_t>(pair)]; };
-    const auto ownSum = [&](int body) -> Matrix6& { return sumOf(own_[static_cast<std::size_t>(body)]); };
-    for (int i = 0; i < problem.blocks; ++i) ownSum(i) = problem.blockStiffness[static_cast<std::size_t>(i)];
+    const auto sumOf = [&](int pair) -> Matrix6& { return sums_[pair]; };
+    const auto ownSum = [&](int body) -> Matrix6& { return sumOf(own_[body]); };
+    for (int i = 0; i < problem.blocks; ++i) ownSum(i) = problem.blockStiffness[i];
     for (int i = 0; i < problem.nodes; ++i)
-        ownSum(problem.blocks + i).diagonal().head<3>() = problem.nodeStiffness[static_cast<std::size_t>(i)];
+        ownSum(problem.blocks + i).diagonal().head<3>() = problem.nodeStiffness[i];
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (weights[i] == 0.0) continue;
         const Link& link = problem.links[i];
@@ -126,8 +126,8 @@ void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std:
     const auto values = system_.values();
     for (std::size_t p = 0; p < pairs_.size(); ++p)
         for (int k = 0; k < 36; ++k)
-            if (const int slot = slots_[p][static_cast<std::size_t>(k)]; slot >= 0)
-                values[static_cast<std::size_t>(slot)] = sums_[p](k % 6, k / 6);
+            if (const int slot = slots_[p][k]; slot >= 0)
+                values[slot] = sums_[p](k % 6, k / 6);
 }
 
 int StepMatrix::factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
@@ -143,7 +143,7 @@ int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, s
     ++work.fullFactorizations;
     assemble(problem, rows, weights);
     current_ = exact_ = false;
-    if (const int loose = system_.factor(); loose >= 0) return unknownOf_[static_cast<std::size_t>(loose)];
+    if (const int loose = system_.factor(); loose >= 0) return unknownOf_[loose];
     blocks_ = problem.blockStiffness;
     nodes_ = problem.nodeStiffness;
     links_.renew(rows, weights);
@@ -171,7 +171,7 @@ std::vector<SparseColumn> StepMatrix::columnsOf(std::span<const FactoredLink> li
         const double root = std::sqrt(links[c].weight);
         const auto put = [&](int first, const double* entries) {
             for (int k = 0; k < 6; ++k)
-                if (const int row = equations_[static_cast<std::size_t>(first + k)]; row >= 0 && entries[k] != 0.0)
+                if (const int row = equations_[first + k]; row >= 0 && entries[k] != 0.0)
                     columns[c].emplace_back(row, root * entries[k]);
         };
         put(links[c].firstA, links[c].gradient.data());

@@ -30,14 +30,14 @@ constexpr double leastHold = 1e-6;  // fraction of a law's stiffness, used if no
 std::vector<double> limitsOf(const StepProblem& problem) {
     std::vector<double> limits;
     for (const LimitPair& pair : problem.limitPairs)
-        limits.push_back(problem.links[static_cast<std::size_t>(pair.limited)].law.limit);
+        limits.push_back(problem.links[pair.limited].law.limit);
     return limits;
 }
 
 void setLimits(StepProblem& problem, const std::vector<double>& limits) {
     auto limit = limits.begin();
     for (const LimitPair& pair : problem.limitPairs)
-        problem.links[static_cast<std::size_t>(pair.limited)].law.limit = *limit++;
+        problem.links[pair.limited].law.limit = *limit++;
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ private:
         if (settings_.again) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
         for (int i = 0; i < problem_.unknowns(); ++i)
-            if (!problem_.known[static_cast<std::size_t>(i)]) still[i] = 0.0;
+            if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
         if (same) return;
@@ -224,7 +224,7 @@ private:
 SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                               const std::function<bool()>& stopAsked) {
     for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) d[i] = problem.value[i];
+        if (problem.known[i]) d[i] = problem.value[i];
     if (settings.openClose) return openClose(problem, d, settings, stopAsked);
     return Newton(problem, matrix_, settings, stopAsked).from(d);
 }

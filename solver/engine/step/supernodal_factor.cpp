@@ -42,7 +42,7 @@ int SupernodalFactor::apply(const cholmod_sparse& matrix, cholmod_factor& factor
     first_.assign(factor.nsuper, -1);
     for (std::size_t s = 0; s < factor.nsuper; ++s) {
         const Supernode node = supernode(factor, s);
-        for (int i = 0; i < node.height; ++i) place_[static_cast<std::size_t>(node.rows[i])] = i;
+        for (int i = 0; i < node.height; ++i) place_[node.rows[i]] = i;
         take(matrix, node);
         subtractAll(factor, s, node);
         if (const int lost = factorAlone(node); lost >= 0) return node.first + lost;
@@ -59,14 +59,14 @@ void SupernodalFactor::take(const cholmod_sparse& matrix, const Supernode& node)
     for (int j = 0; j < node.width; ++j) {
         double* column = node.at(0, j);
         for (int k = start[node.first + j]; k < start[node.first + j + 1]; ++k)
-            column[place_[static_cast<std::size_t>(rows[k])]] = entries[k];
+            column[place_[rows[k]]] = entries[k];
     }
 }
 
 /// Subtracts the updates of all waiting supernodes. The one that was added to the list last is subtracted first.
 void SupernodalFactor::subtractAll(const cholmod_factor& factor, std::size_t s, const Supernode& node) {
     for (int d = first_[s]; d >= 0;) {
-        const auto at = static_cast<std::size_t>(d);
+        const std::size_t at = d;
         const Supernode from = supernode(factor, at);
         const int done = subtract(from, waiting_[at].done, node);
         d = waiting_[at].next;
@@ -86,17 +86,17 @@ int SupernodalFactor::subtract(const Supernode& from, int done, const Supernode&
     if (rows > columns)
         cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - columns, columns, from.width, 1.0, from.at(end, 0), from.height,
                     from.at(done, 0), from.height, 0.0, product + columns, rows);
-    for (int i = 0; i < rows; ++i) placeOfRow_[static_cast<std::size_t>(i)] = place_[static_cast<std::size_t>(from.rows[done + i])];
+    for (int i = 0; i < rows; ++i) placeOfRow_[i] = place_[from.rows[done + i]];
     for (int j = 0; j < columns; ++j, product += rows) {
-        double* column = node.at(0, placeOfRow_[static_cast<std::size_t>(j)]);
-        for (int i = j; i < rows; ++i) column[placeOfRow_[static_cast<std::size_t>(i)]] -= product[i];
+        double* column = node.at(0, placeOfRow_[j]);
+        for (int i = j; i < rows; ++i) column[placeOfRow_[i]] -= product[i];
     }
     return end;
 }
 
 /// Puts a supernode at the head of the list for the supernode that contains its first unused row.
 void SupernodalFactor::wait(std::size_t s, const Supernode& node, int done) {
-    int& first = first_[static_cast<std::size_t>(supernodeOf_[static_cast<std::size_t>(node.rows[done])])];
+    int& first = first_[supernodeOf_[node.rows[done]]];
     waiting_[s] = {first, done};
     first = static_cast<int>(s);
 }

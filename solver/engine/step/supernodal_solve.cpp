@@ -100,19 +100,19 @@ void solveSupernodes(const cholmod_factor& factor, std::span<double> x, std::vec
     double* t = work.data();
     for (std::size_t s = 0; s < factor.nsuper; ++s) {
         const Supernode node = supernode(factor, s);
-        double* own = &x[static_cast<std::size_t>(node.rows[0])];
+        double* own = &x[node.rows[0]];
         std::copy_n(own, node.width, t);
         std::fill(t + node.width, t + node.height, 0.0);
         if (s + 1 < factor.nsuper) fetch(supernode(factor, s + 1), 0);
         forward(node, t);
         std::copy_n(t, node.width, own);
-        for (int i = node.width; i < node.height; ++i) x[static_cast<std::size_t>(node.rows[i])] += t[i];
+        for (int i = node.width; i < node.height; ++i) x[node.rows[i]] += t[i];
     }
     for (std::size_t s = factor.nsuper; s-- > 0;) {
         const Supernode node = supernode(factor, s);
-        for (int i = 0; i < node.height; ++i) t[i] = x[static_cast<std::size_t>(node.rows[i])];
+        for (int i = 0; i < node.height; ++i) t[i] = x[node.rows[i]];
         backward(node, t);
-        std::copy_n(t, node.width, &x[static_cast<std::size_t>(node.rows[0])]);
+        std::copy_n(t, node.width, &x[node.rows[0]]);
     }
 }
 

@@ -80,7 +80,7 @@ bool SupernodalUpdate::apply(cholmod_factor& factor, bool add, std::span<const S
 bool SupernodalUpdate::applyGroup(cholmod_factor& factor, double sign, std::span<const SparseColumn* const> columns) {
     for (std::size_t r = 0; r < columns.size(); ++r) {
         for (const auto& [row, value] : *columns[r]) columns_[static_cast<std::size_t>(row) * groupSize + r] = value;
-        ranksAt_[static_cast<std::size_t>(supernodeOf_[static_cast<std::size_t>(firstRow(*columns[r]))])] |= 1u << r;
+        ranksAt_[supernodeOf_[firstRow(*columns[r])]] |= 1u << r;
     }
     for (std::size_t s = 0; s < factor.nsuper; ++s) {
         const std::uint32_t ranks = std::exchange(ranksAt_[s], 0);
@@ -90,14 +90,14 @@ bool SupernodalUpdate::applyGroup(cholmod_factor& factor, double sign, std::span
         if (!update(node, sign, std::popcount(ranks))) return false;
         if (node.height == node.width) continue;
         scatter(node, ranks);
-        ranksAt_[static_cast<std::size_t>(supernodeOf_[static_cast<std::size_t>(node.rows[node.width])])] |= ranks;
+        ranksAt_[supernodeOf_[node.rows[node.width]]] |= ranks;
     }
     return true;
 }
 
 /// Collects the rows of a supernode, and clears those of its diagonal block, in which nothing will remain.
 void SupernodalUpdate::gather(const Supernode& node, std::uint32_t ranks) {
-    const auto height = static_cast<std::size_t>(node.height);
+    const std::size_t height = node.height;
     gathered_.resize(height * groupSize);
     for (std::size_t i = 0; i < height; ++i) {
         double* row = &columns_[static_cast<std::size_t>(node.rows[i]) * groupSize];
@@ -108,9 +108,9 @@ void SupernodalUpdate::gather(const Supernode& node, std::uint32_t ranks) {
 }
 
 void SupernodalUpdate::scatter(const Supernode& node, std::uint32_t ranks) {
-    const auto below = static_cast<std::size_t>(node.height - node.width);
+    const std::size_t below = node.height - node.width;
     for (std::size_t i = 0; i < below; ++i) {
-        double* row = &columns_[static_cast<std::size_t>(node.rows[static_cast<std::size_t>(node.width) + i]) * groupSize];
+        double* row = &columns_[static_cast<std::size_t>(node.rows[node.width + i]) * groupSize];
         const double* from = &gathered_[i];
         for (std::uint32_t left = ranks; left != 0; left &= left - 1, from += below) row[std::countr_zero(left)] = *from;
     }
@@ -133,7 +133,7 @@ bool SupernodalUpdate::update(const Supernode& node, double sign, int ranks) {
 bool SupernodalUpdate::updatePanel(const Panel& panel, double sign, int ranks) {
     const int n = panel.width;
     const Eigen::Map<const Eigen::MatrixXd> gathered(gathered_.data(), panel.height, ranks);
-    scaled_.resize(static_cast<std::size_t>(n * ranks));
+    scaled_.resize(n * ranks);
     Eigen::Map<Eigen::MatrixXd>(scaled_.data(), n, ranks) = gathered.topRows(n);
     cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, ranks, 1.0, panel.values, panel.stride,
                 scaled_.data(), n);
@@ -156,12 +156,12 @@ void SupernodalUpdate::updateBelow(const Panel& panel, double sign, int ranks) {
     };
     double* below = panel.values + n;
     const double* ranksBelow = gathered_.data() + n;
-    left_.resize(static_cast<std::size_t>(m * ranks));
-    work_.resize(static_cast<std::size_t>(m * std::max(n, ranks)));
+    left_.resize(m * ranks);
+    work_.resize(m * std::max(n, ranks));
     Eigen::Map<Eigen::MatrixXd>(work_.data(), m, ranks) = Eigen::Map<const Eigen::MatrixXd>(gathered_.data(), h, ranks).bottomRows(m);
     multiply(CblasNoTrans, m, ranks, n, -1.0, below, stride, scaled_.data(), n, 1.0, work_.data(), m);
     multiply(CblasTrans, m, ranks, ranks, 1.0, work_.data(), m, mixed_.data(), ranks, 0.0, left_.data(), m);
-    for (int j = 0; j < n; ++j) std::copy_n(below + static_cast<std::ptrdiff_t>(j) * stride, m, &work_[static_cast<std::size_t>(j * m)]);
+    for (int j = 0; j < n; ++j) std::copy_n(below + static_cast<std::ptrdiff_t>(j) * stride, m, &work_[j * m]);
     multiply(CblasTrans, m, n, ranks, sign, ranksBelow, h, scaled_.data(), n, 1.0, work_.data(), m);
     multiply(CblasTrans, m, n, n, 1.0, work_.data(), m, diagonal_.data(), n, 0.0, below, stride);
 }

@@ -48,13 +48,13 @@ double weightOf(const StepProblem& problem, const Link& link) {
 SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(problem), links_(links) {
     driven_ = Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding);
     for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) driven_[i] = problem.value[i];
+        if (problem.known[i]) driven_[i] = problem.value[i];
     scaleBlocks();
     std::vector<int> pairOf(links.count(), -1), follower(links.count(), -1);
     for (std::size_t p = 0; p < problem.limitPairs.size(); ++p) {
         const LimitPair& pair = problem.limitPairs[p];
-        pairOf[static_cast<std::size_t>(pair.limited)] = static_cast<int>(p);
-        follower[static_cast<std::size_t>(pair.from)] = pair.limited;
+        pairOf[pair.limited] = static_cast<int>(p);
+        follower[pair.from] = pair.limited;
     }
     rows_.reserve(links.count());
     for (std::size_t i = 0; i < links.count(); ++i) {
@@ -63,7 +63,7 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(p
         if (ofNode(problem, problem.links[i]) || pairOf[i] >= 0 || weak) continue;
         addRow(i, -1);
         if (follower[i] < 0) continue;
-        const auto next = static_cast<std::size_t>(follower[i]);
+        const std::size_t next = follower[i];
         addRow(next, pairOf[next]);
     }
     bentStrains_.assign(rows_.size(), 0.0);
@@ -71,15 +71,15 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(p
 }
 
 void SweptLinks::scaleBlocks() {
-    scales_.resize(static_cast<std::size_t>(problem_.blocks));
+    scales_.resize(problem_.blocks);
     for (int b = 0; b < problem_.blocks; ++b) {
         Matrix6 free = Matrix6::Identity();
         for (int k = 0; k < 6; ++k)
-            if (problem_.known[static_cast<std::size_t>(6 * b + k)]) free(k, k) = 0.0;
-        const Matrix6& stiffness = problem_.blockStiffness[static_cast<std::size_t>(b)];
+            if (problem_.known[6 * b + k]) free(k, k) = 0.0;
+        const Matrix6& stiffness = problem_.blockStiffness[b];
         const Eigen::LLT<Matrix6> factor(free * stiffness * free + (Matrix6::Identity() - free));
         possible_ = possible_ && factor.info() == Eigen::Success;
-        scales_[static_cast<std::size_t>(b)] = factor.matrixL().solve(free);
+        scales_[b] = factor.matrixL().solve(free);
     }
 }
 
@@ -92,7 +92,7 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     row.start = links_.start(link) + links_.rate(link, driven_.data());
     scaleGradient(row);
     row.law = pair < 0 ? flatLaw(problem_, problem_.links[link])
-                       : flatLaw(problem_, problem_.limitPairs[static_cast<std::size_t>(pair)]);
+                       : flatLaw(problem_, problem_.limitPairs[pair]);
     rows_.push_back(row);
 }
 
@@ -101,7 +101,7 @@ void SweptLinks::scaleGradient(Row& row) const {
     Eigen::Map<Eigen::Matrix<double, 12, 1>> all(row.gradient.data());
     const auto scale = [&](int body, int at) {
         const Eigen::Map<const Vector6> gradient(links_.gradient(row.link) + at);
-        all.segment<6>(at).noalias() = scales_[static_cast<std::size_t>(body)] * gradient;
+        all.segment<6>(at).noalias() = scales_[body] * gradient;
     };
     scale(link.a, 0);
     if (link.b >= 0) scale(link.b, 6);
@@ -119,7 +119,7 @@ inline SweptLinks::Bounds SweptLinks::bounds(std::size_t n, const std::vector<do
 
 SweptLinks::Bounds SweptLinks::bentBounds(std::size_t n, const std::vector<double>& forces) const {
     const Row& row = rows_[n];
-    if (row.pair >= 0) setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], forces[n - 1]);
+    if (row.pair >= 0) setLimit(problem_, problem_.limitPairs[row.pair], forces[n - 1]);
     const Link& link = problem_.links[row.link];
     const double most = weightOf(problem_, link) * link.law.limit;
     if (link.law.kind == LawKind::Capped) return {-most, most};
@@ -144,7 +144,7 @@ double SweptLinks::tangent(std::size_t n) const {
 void SweptLinks::hold(const Eigen::VectorXd& outer) {
     held_ = Eigen::VectorXd::Zero(6 * problem_.blocks + LinkRows::padding);
     for (int b = 0; b < problem_.blocks; ++b)
-        held_.segment<6>(6 * b).noalias() = scales_[static_cast<std::size_t>(b)] * outer.segment<6>(6 * b);
+        held_.segment<6>(6 * b).noalias() = scales_[b] * outer.segment<6>(6 * b);
 }
 
 void SweptLinks::clip(std::vector<double>& forces) {
@@ -181,7 +181,7 @@ void SweptLinks::clipPlaced(std::vector<double>& forces) {
 double SweptLinks::bentForce(const Row& row, double free, double force) {
     const Link& link = problem_.links[row.link];
     const auto forceAt = [&](double x) { return respond(problem_, link, x); };
-    double& strain = bentStrains_[static_cast<std::size_t>(&row - rows_.data())];
+    double& strain = bentStrains_[&row - rows_.data()];
     if (link.law.kind == LawKind::Constant) return forceAt(strain).force;
     strain = rootOf(forceAt, row.compliance, free, free - row.compliance * force);
     return forceAt(strain).force;

@@ -15,7 +15,7 @@ void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
     for (std::size_t i = 0; i < rows.count(); ++i) respondAt(i);
     for (const LimitPair& pair : problem.limitPairs) {
-        setLimit(problem, pair, trial.laws[static_cast<std::size_t>(pair.from)].force);
+        setLimit(problem, pair, trial.laws[pair.from].force);
         respondAt(static_cast<std::size_t>(pair.limited));
     }
     trial.net = padded(problem.load) - bodyProduct(problem, trial.d);
@@ -44,10 +44,10 @@ void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& 
 Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x) {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
     for (int i = 0; i < problem.blocks; ++i)
-        force.segment<6>(6 * i).noalias() = problem.blockStiffness[static_cast<std::size_t>(i)] * x.segment<6>(6 * i);
+        force.segment<6>(6 * i).noalias() = problem.blockStiffness[i] * x.segment<6>(6 * i);
     for (int i = 0; i < problem.nodes; ++i) {
         const int at = problem.first(problem.blocks + i);
-        force.segment<3>(at) = problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(x.segment<3>(at));
+        force.segment<3>(at) = problem.nodeStiffness[i].cwiseProduct(x.segment<3>(at));
     }
     return force;
 }

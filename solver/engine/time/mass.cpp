@@ -42,7 +42,7 @@ Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node) {
 
 Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(force.size());
-    const auto known = [&](Eigen::Index i) { return problem.known[static_cast<std::size_t>(i)] != 0; };
+    const auto known = [&](Eigen::Index i) { return problem.known[i] != 0; };
     Eigen::Index at = 0;
     for (const BlockModel& block : model.blocks) {
         Matrix6 mass = block.massMatrix;

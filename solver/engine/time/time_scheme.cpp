@@ -46,14 +46,14 @@ void setVelocities(State& state, const Eigen::VectorXd& velocity) {
 
 /// Blocks with a contact force at the start, at the end or over the step.
 std::vector<char> pushedBlocks(const StepProblem& problem, const std::vector<double>& strains) {
-    std::vector<char> pushed(static_cast<std::size_t>(problem.blocks), 0);
+    std::vector<char> pushed(problem.blocks, 0);
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.kind != LinkKind::Normal) continue;
         if (respond(link.law, link.strain).force == 0.0 && respond(link.law, strains[i]).force == 0.0 &&
             respond(problem, link, strains[i]).force == 0.0)
             continue;
-        pushed[static_cast<std::size_t>(link.a)] = pushed[static_cast<std::size_t>(link.b)] = 1;
+        pushed[link.a] = pushed[link.b] = 1;
     }
     return pushed;
 }
@@ -80,7 +80,7 @@ void settleStrains(const Model& model, const StepProblem& problem, const Eigen::
     const Eigen::VectorXd push = lastingThrust(model, problem, strains);
     for (std::size_t i = 0; i < pushed.size(); ++i) {
         const Eigen::Index spin = 6 * static_cast<Eigen::Index>(i) + 2;
-        if (!pushed[i] || problem.known[static_cast<std::size_t>(spin + 1)]) continue;
+        if (!pushed[i] || problem.known[spin + 1]) continue;
         const Matrix6& mass = model.blocks[i].massMatrix;
         const Eigen::Matrix3d own = mass.bottomRightCorner<3, 3>();
         const Eigen::Matrix3d stiff = dt * dt * model.blocks[i].area * model.thickness * model.blocks[i].elasticity;
@@ -89,7 +89,7 @@ void settleStrains(const Model& model, const StepProblem& problem, const Eigen::
         const Eigen::Vector3d rate = d.segment<3>(spin + 1) / dt, thrust = push.segment<3>(spin + 1);
         const Eigen::Vector3d change = rate + slow(velocity.segment<3>(spin + 1) - rate) - velocity.segment<3>(spin + 1);
         velocity.segment<3>(spin + 1) += change;
-        if (!problem.known[static_cast<std::size_t>(spin)] && mass(2, 2) > 0.0)  // conserves angular momentum
+        if (!problem.known[spin] && mass(2, 2) > 0.0)  // conserves angular momentum
             velocity[spin] -= mass.block<1, 3>(2, 3).dot(change) / mass(2, 2);
         acceleration.segment<3>(spin + 1) = slow(acceleration.segment<3>(spin + 1) + thrust) - thrust;
     }
@@ -159,15 +159,15 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
         settleStrains(model, problem, d, options.dt, after, next);
     }
     for (Eigen::Index i = 0; i < d.size(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
+        if (problem.known[i]) after[i] = d[i] / options.dt;
     // ½(v⁺ + v)·M·(v⁺ − v), row by row: kinetic energy gained by free and by driven unknowns
     const Eigen::VectorXd gained = 0.5 * (after + before).cwiseProduct(timesMass(model, after - before));
     for (Eigen::Index i = 0; i < d.size(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) state.energy.external += gained[i];
+        if (problem.known[i]) state.energy.external += gained[i];
     if (losesMotion(options.inertia)) {
         const Eigen::VectorXd inertia = inertiaForce(model, state, factors, smooth) + push;
         for (Eigen::Index i = 0; i < d.size(); ++i)
-            if (!problem.known[static_cast<std::size_t>(i)]) state.energy.damped += d[i] * inertia[i] - gained[i];
+            if (!problem.known[i]) state.energy.damped += d[i] * inertia[i] - gained[i];
     }
     if (carriesAccelerations(options.inertia)) {
         state.acceleration.assign(next.data(), next.data() + next.size());

@@ -173,7 +173,7 @@ private:
 
     std::string text(Kind kind) const {
         const int index = indexOf(kind);
-        return index < 0 ? "" : (*row_)[static_cast<std::size_t>(index)].text;
+        return index < 0 ? "" : (*row_)[index].text;
     }
 
     std::optional<double> optional(Kind kind) {

@@ -163,7 +163,7 @@ private:
 
     // Position of the last character read.
     std::size_t placeOfError() const {
-        const auto read = static_cast<std::size_t>(*reached_ - text_.data());
+        const std::size_t read = *reached_ - text_.data();
         return read == 0 ? 0 : read - 1;
     }
 

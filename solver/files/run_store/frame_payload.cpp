@@ -201,7 +201,7 @@ void packCorners(const Frame& frame, std::vector<double>& out) {
 }
 
 bool unpackCorner(RowReader& row, const Scene&, Frame& frame) {
-    const auto block = static_cast<std::size_t>(row.index(0, frame.blocks.size()));
+    const std::size_t block = row.index(0, frame.blocks.size());
     if (row.good())
         frame.blocks[block].points.push_back(row.point());
     return row.good();
@@ -241,7 +241,7 @@ void packNodes(const Frame& frame, std::vector<double>& out) {
 }
 
 bool unpackNode(RowReader& row, const Scene&, Frame& frame) {
-    const auto bolt = static_cast<std::size_t>(row.index(0, frame.bolts.size()));
+    const std::size_t bolt = row.index(0, frame.bolts.size());
     BoltNodeFrame n;
     n.s = row.number();
     n.position = row.point();

@@ -169,7 +169,7 @@ bool Statement::isNull(int column) const { return sqlite3_column_type(statement_
 
 std::optional<std::vector<double>> Statement::doubles(int column) const {
     const auto* bytes = static_cast<const unsigned char*>(sqlite3_column_blob(statement_.get(), column));
-    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+    const std::size_t size = sqlite3_column_bytes(statement_.get(), column);
     if (size % sizeof(double) != 0)
         return std::nullopt;
     std::vector<double> values;

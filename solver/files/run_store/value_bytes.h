@@ -133,7 +133,7 @@ private:
         get(size);
         good_ = good_ && size <= left_.size();  // every value takes at least one byte
         values.clear();
-        if (good_) values.resize(static_cast<std::size_t>(size));
+        if (good_) values.resize(size);
         for (auto& value : values) get(value);
     }
 

@@ -145,7 +145,7 @@ void nameOrigins(std::vector<Problem>& problems, const std::string& file, std::s
         problem.file = file;
         if (problem.line >= 0)
             continue;
-        problem.file = "--set " + overrides[static_cast<std::size_t>(-1 - problem.line)];
+        problem.file = "--set " + overrides[-1 - problem.line];
         problem.line = 0;
     }
 }

@@ -176,7 +176,7 @@ RecordReading readRecordFile(const std::filesystem::path& path) {
                           "Give its path relative to the scene file, and check that you may read it");
     std::string text(longestFile + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
+    text.resize(file.gcount());
     if (text.size() > longestFile)
         return unreadable("the file is longer than " + std::to_string(longestFile >> 20) + " MB",
                           "Resample the record");

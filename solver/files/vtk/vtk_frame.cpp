@@ -40,7 +40,7 @@ public:
     std::size_t columnOf(std::string_view name) const {
         const auto found = std::find_if(columns_.begin(), columns_.end(),
                                         [&](const PayloadColumn& column) { return column.name == name; });
-        return static_cast<std::size_t>(found - columns_.begin());
+        return found - columns_.begin();
     }
 
     /// The values of a column for these rows, in this order; a column without a unit contains indices or codes.
@@ -143,7 +143,7 @@ Point VtkBlocks::displacementOf(const BlockState& block, std::size_t index, std:
 VtkPolyData VtkBlocks::data(const Frame& frame) {
     const std::vector<Stage>& stages = run_.scene().stages;
     for (; stage_ < frame.stage; ++stage_)
-        if (stages[static_cast<std::size_t>(stage_) + 1].zeroDisplacements) zero();
+        if (stages[stage_ + 1].zeroDisplacements) zero();
     VtkPolyData data;
     std::vector<double> moved;
     std::vector<std::size_t> rows;  // block of each cell

@@ -57,7 +57,7 @@ std::optional<Run> runOf(const Compared& compared, std::optional<int> increments
     if (!reading.scene) return std::nullopt;
     Scene scene = *reading.scene;
     scene.stages.resize(static_cast<std::size_t>(compared.last) + 1);
-    for (std::size_t i = static_cast<std::size_t>(compared.first); i < scene.stages.size(); ++i)
+    for (std::size_t i = compared.first; i < scene.stages.size(); ++i)
         scene.stages[i].increments = increments;
     scene.output = {};
     scene.analysis.tolerance = compared.tolerance.value_or(scene.analysis.tolerance);

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Point> cornersOf(const std::vector<int>& piece, const std::vector<Point>& polygon) {
     std::vector<Point> corners;
-    for (const int corner : piece) corners.push_back(polygon[static_cast<std::size_t>(corner)]);
+    for (const int corner : piece) corners.push_back(polygon[corner]);
     return corners;
 }
 

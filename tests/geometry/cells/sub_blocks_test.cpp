@@ -71,7 +71,7 @@ TEST(SubBlocks, SharedEdgesRunWithTheFirstCellOnTheirLeft) {
     const SubBlocks cut = cutIntoCells(Outline{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, 1.0, cellTolerance);
     for (const SharedEdge& edge : cut.shared) {
         const Point middle = 0.5 * (edge.from + edge.to);
-        const Point toA = moments(cut.cells[static_cast<std::size_t>(edge.a)]).centroid - middle;
+        const Point toA = moments(cut.cells[edge.a]).centroid - middle;
         EXPECT_GT(cross(edge.to - edge.from, toA), 0.0);
     }
 }

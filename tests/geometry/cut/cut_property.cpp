@@ -114,7 +114,7 @@ std::string brokenEuler(const Cut& cut) {
     std::vector<int> parent(cut.vertices.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int v) {
-        while (parent[static_cast<std::size_t>(v)] != v) v = parent[static_cast<std::size_t>(v)];
+        while (parent[v] != v) v = parent[v];
         return v;
     };
     std::map<int, int> outside;  // the next vertex of edges with no block on their left
@@ -125,13 +125,13 @@ std::string brokenEuler(const Cut& cut) {
         const bool twin = sides.count({edge.second, edge.first}) > 0;
         edges += !twin || edge.first < edge.second;
         if (!twin) pinched = !outside.emplace(edge.second, edge.first).second || pinched;
-        parent[static_cast<std::size_t>(std::max(root(edge.first), root(edge.second)))] =
+        parent[std::max(root(edge.first), root(edge.second))] =
             std::min(root(edge.first), root(edge.second));
     }
     if (pinched) return {};  // domains that touch in a corner: the faces outside cannot be counted like this
     int components = 0, outer = 0;
     for (std::size_t v = 0; v < parent.size(); ++v) components += parent[v] == static_cast<int>(v);
-    const auto at = [&](int v) -> const Point& { return cut.vertices[static_cast<std::size_t>(v)]; };
+    const auto at = [&](int v) -> const Point& { return cut.vertices[v]; };
     std::set<int> walked;
     for (const auto& [from, to] : outside) {
         if (walked.count(from)) continue;
@@ -187,7 +187,7 @@ CutInput shuffled(const CutInput& input, std::uint64_t seed) {
 
 std::vector<Point> outlineOf(const Cut& cut, const CutRing& ring) {
     std::vector<Point> outline;
-    for (int vertex : ring.vertices) outline.push_back(cut.vertices[static_cast<std::size_t>(vertex)]);
+    for (int vertex : ring.vertices) outline.push_back(cut.vertices[vertex]);
     return outline;
 }
 

@@ -223,7 +223,7 @@ TEST(Cut, TheLowerSourceHasWhatTracesShare) {
     ASSERT_EQ(cut.blocks.size(), 2u);
     const CutBlock& below = *blockAt(cut, {0, -0.5});
     ASSERT_EQ(below.outer.vertices.size(), 5u);
-    const Point change = cut.vertices[static_cast<std::size_t>(below.outer.vertices[3])];
+    const Point change = cut.vertices[below.outer.vertices[3]];
     EXPECT_LT((change - Point(-0.5, 1e-9)).norm(), 1e-15);
     EXPECT_EQ(below.outer.sources, (std::vector<int>{borderSource, borderSource, 3, 8, borderSource}));
     const auto merged = notesOf(cut, CutNoteKind::MergedTrace);

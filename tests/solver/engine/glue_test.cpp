@@ -187,7 +187,7 @@ TEST(Cells, AreOneRockToABolt) {
             const double x = model.bolts[0].s[n] + 0.1;
             if (std::abs(x - 1.0) < 1e-6) continue;
             ASSERT_GE(node.slot, 0) << "node " << n;
-            const BlockModel& block = model.blocks[state.bolts[0].slots[static_cast<std::size_t>(node.slot)].block];
+            const BlockModel& block = model.blocks[state.bolts[0].slots[node.slot].block];
             EXPECT_EQ(block.rock, x < 1.0 ? 0 : 1);
             embedded[block.rock] += node.bond.share;
         }

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::size_t filesIn(const fs::path& folder) {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
 TEST(AtomicFile, ReplacesTheOldOneAndLeavesNothingElse) {

@@ -114,7 +114,7 @@ BoltFrame boltFrame(double grown) {
     BoltFrame bolt;
     bolt.nodes.resize(3);
     for (int node = 0; node < 3; ++node) {
-        BoltNodeFrame& n = bolt.nodes[static_cast<std::size_t>(node)];
+        BoltNodeFrame& n = bolt.nodes[node];
         n.s = 0.4 * node;
         n.position = {0.6 + n.s + grown, 0.5};
         n.block = node == 1 ? -1 : node / 2;

@@ -46,7 +46,7 @@ Sum sumOf(const Frame& frame, int block, std::optional<ForceSource> source = std
 /// \param share of the block's weight [N], and of that times 1 m, that may be left.
 void expectBalance(const Frame& frame, int block, double share) {
     const Sum sum = sumOf(frame, block);
-    const double weight = frame.blocks[static_cast<std::size_t>(block)].weight;
+    const double weight = frame.blocks[block].weight;
     EXPECT_GT(sum.rows, 1) << block;
     EXPECT_LT(sum.force.norm(), share * weight) << block << " at " << frame.time;
     EXPECT_LT(std::abs(sum.moment), share * weight) << block << " at " << frame.time;
@@ -54,7 +54,7 @@ void expectBalance(const Frame& frame, int block, double share) {
 
 /// Where no couples act, a moment is that of the force at its point.
 void expectMomentsOfForces(const Frame& frame, int block) {
-    const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
+    const BlockState& state = frame.blocks[block];
     for (const BlockForce& row : blockForces(frame)) {
         if (row.block != block) continue;
         EXPECT_NEAR(row.moment, momentAbout(state.centroid, row.position, row.force), 1e-9 * state.weight);
@@ -195,7 +195,7 @@ TEST(BlockForces, ABlockHeldAtPointsAndOneThatIsDrivenShowReactions) {
     EXPECT_EQ(sumOf(frame, 0, ForceSource::Support).rows, 2);
     expectMomentsOfForces(frame, 0);
     for (int block : {0, 1}) {
-        const double weight = frame.blocks[static_cast<std::size_t>(block)].weight;
+        const double weight = frame.blocks[block].weight;
         EXPECT_NEAR(sumOf(frame, block, ForceSource::Support).force.y(), weight, 1e-3 * weight);
         expectBalance(frame, block, 1e-3);
     }
@@ -307,7 +307,7 @@ TEST(BlockForces, EveryBlockOfTheBoltedDriftBalancesAtRest) {
     for (int stage : {2, 3}) {
         const Frame& frame = lastOf(solved, stage);
         for (int block = 0; block < static_cast<int>(frame.blocks.size()); ++block) {
-            if (frame.blocks[static_cast<std::size_t>(block)].area < 0.01) continue;
+            if (frame.blocks[block].area < 0.01) continue;
             expectBalance(frame, block, 2e-3);
             ++blocks;
             if (sumOf(frame, block, ForceSource::Bolt).force.norm() > 1.0) ++bolted;

@@ -324,7 +324,7 @@ TEST(BoltLaws, EachReleaseKnowsWhatSetItOver) {
             continue;
         }
         ASSERT_GE(bond.cause, 0) << bond.node;
-        const Event& cause = events[static_cast<std::size_t>(bond.cause)];
+        const Event& cause = events[bond.cause];
         EXPECT_EQ(cause.time, bond.time);
         EXPECT_GT(cause.node, bond.node);
         EXPECT_LE(cause.node, 7);

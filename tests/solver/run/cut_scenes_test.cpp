@@ -290,7 +290,7 @@ TEST(CutScene, KeepsATunnelUntilItIsExcavated) {
     EXPECT_EQ(cut.open, 0);
     const std::vector<int> gone = excavatedBlocks(cut.scene, scene.stages[1]);
     ASSERT_EQ(gone.size(), 1u);
-    EXPECT_NEAR(signedArea(cut.scene.blocks[static_cast<std::size_t>(gone[0])].points), areaOf(scene.tunnels[0]),
+    EXPECT_NEAR(signedArea(cut.scene.blocks[gone[0]].points), areaOf(scene.tunnels[0]),
                 1e-9);
     EXPECT_EQ(boltsNamed(cut.scene, "P").size(), 5u);
     EXPECT_EQ(boltsNamed(cut.scene, "P.3"), (std::vector<int>{2}));
@@ -314,7 +314,7 @@ TEST(CutScene, ExcavatesATunnelThroughJointSets) {
     const std::vector<int> gone = excavatedBlocks(cut.scene, scene.stages[1]);
     EXPECT_GT(gone.size(), 1u);
     double area = 0.0;
-    for (int block : gone) area += signedArea(cut.scene.blocks[static_cast<std::size_t>(block)].points);
+    for (int block : gone) area += signedArea(cut.scene.blocks[block].points);
     EXPECT_NEAR(area, areaOf(scene.tunnels[0]), 1e-9);
     const Solved solved = solve(scene);
     ASSERT_EQ(solved.results.stages.size(), 2u);
@@ -346,7 +346,7 @@ TEST(CutScene, RockInTwoTunnelsGoesWithTheFirstThatIsExcavated) {
         const auto areaOfAll = [&](const Stage& stage) {
             double area = 0.0;
             for (int block : excavatedBlocks(cut.scene, stage))
-                area += signedArea(cut.scene.blocks[static_cast<std::size_t>(block)].points);
+                area += signedArea(cut.scene.blocks[block].points);
             return area;
         };
         EXPECT_NEAR(areaOfAll(both.stages[1]), 0.25 * areaOf(scene.tunnels[0]), 1e-9);  // of half its size

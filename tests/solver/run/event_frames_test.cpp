@@ -60,7 +60,7 @@ TEST_P(EventFramesOf, EncloseEveryFailure) {
         });
         ASSERT_NE(after, results.frames.end());
         ASSERT_NE(after, results.frames.begin());
-        const double shortly = 2e-3 * frameInterval(scene, scene.stages[static_cast<std::size_t>(event.stage)]);
+        const double shortly = 2e-3 * frameInterval(scene, scene.stages[event.stage]);
         EXPECT_EQ(std::prev(after)->stage, event.stage) << i;
         EXPECT_LE(event.time - std::prev(after)->time, shortly) << i;
     }

@@ -164,7 +164,7 @@ TEST(Hinges, AxialForceTakesItsPartOfTheMoment) {
         for (const Event& event : solved.results.events) {
             if (event.kind != EventKind::Hinge) continue;
             ++hinges;
-            const auto e = static_cast<std::size_t>(event.element);
+            const std::size_t e = event.element;
             const double constant = 0.5 * std::abs(nodes[e].moment + nodes[e + 1].moment);
             const double yieldForce = yieldStress * barArea();
             const double n = before[e].axialForce / yieldForce;

@@ -202,7 +202,7 @@ struct Pressed {
         const Solved solved = solve(scene);
         std::vector<double> sums;
         for (int i = 0; i < static_cast<int>(solved.results.stages.size()); ++i) {
-            EXPECT_EQ(solved.results.stages[static_cast<std::size_t>(i)].outcome, Outcome::Equilibrium);
+            EXPECT_EQ(solved.results.stages[i].outcome, Outcome::Equilibrium);
             double sum = 0.0;
             for (const ContactFrame& contact : lastOf(solved, i).contacts) sum += contact.normalForce;
             sums.push_back(sum);

@@ -105,7 +105,7 @@ TEST(ViscousBoundaries, TheReactionOfTheStaticStateStays) {
     const double shortened = 1e6 * barLength / (barDensity * speed * speed);
     for (int stage : {1, 2}) {
         EXPECT_LT((lastOf(stage).blocks[0].centroid - lastOf(0).blocks[0].centroid).norm(), 1e-6 * shortened) << stage;
-        EXPECT_LT(std::abs(solved.results.stages[static_cast<std::size_t>(stage)].health.balanceError), 1e-6);
+        EXPECT_LT(std::abs(solved.results.stages[stage].health.balanceError), 1e-6);
     }
     EXPECT_LT(lastOf(1).blocks[0].velocity.norm(), 1e-6);
 }

@@ -274,7 +274,7 @@ TEST_F(Journals, RecoveredDocumentContinuesAfterAnyUndo) {
         window.document.startNew(manyBlocks());
         for (int i = 0; i < 100; ++i) {
             Scene scene = *window.document.scene();
-            scene.blocks[static_cast<std::size_t>(3 * i)].name = "Edited " + std::to_string(i);
+            scene.blocks[3 * i].name = "Edited " + std::to_string(i);
             texts.push_back(wholeSceneText(scene));
             window.document.apply("Edit " + QString::number(i), std::move(scene));
         }
@@ -288,14 +288,14 @@ TEST_F(Journals, RecoveredDocumentContinuesAfterAnyUndo) {
         window.document.undo().undo();
         window.document.undo().redo();
         window.document.undo().setIndex(back);
-        EXPECT_EQ(wholeSceneText(*window.document.scene()), texts[static_cast<std::size_t>(back) - 1]);
+        EXPECT_EQ(wholeSceneText(*window.document.scene()), texts[back - 1]);
         EXPECT_EQ(window.document.undo().redoText(), "Edit " + QString::number(back));
         Scene scene = *window.document.scene();
         scene.title = "Went on at " + std::to_string(back);
         window.document.apply("Go on", scene);
         scene.blocks.pop_back();
         window.document.apply("Delete", scene);
-        texts[static_cast<std::size_t>(back)] = wholeSceneText(*window.document.scene());
+        texts[back] = wholeSceneText(*window.document.scene());
     }
     const std::vector<Abandoned> found = abandonedJournals(folder());
     ASSERT_EQ(found.size(), 1u);

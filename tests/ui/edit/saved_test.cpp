@@ -131,7 +131,7 @@ void expectOpensAsItself(const Scene& scene, const std::string& did) {
         ASSERT_TRUE(problem.severity != Severity::Error || isNameOnly(problem)) << did << ": " << oneLine(problem);
     ASSERT_TRUE(rescue.isWhole) << did;
     const std::string again = wholeSceneText(*rescue.scene);
-    const auto differ = static_cast<std::size_t>(std::ranges::mismatch(again, text).in1 - again.begin());
+    const std::size_t differ = std::ranges::mismatch(again, text).in1 - again.begin();
     ASSERT_TRUE(again == text) << did << "\nwritten: " << text.substr(differ, 200) << "\nread: " << again.substr(differ, 200);
 }
 

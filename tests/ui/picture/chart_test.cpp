@@ -250,7 +250,7 @@ TEST(HistoryCharts, ARequestedQuantityIsShownAlone) {
 
 TEST(HistoryCharts, AnyQuantityIsPlottedAgainstAnother) {
     HistoryRun run;
-    const auto column = static_cast<std::size_t>(historyColumn(run.scene, {-1, 0, 0, BoltQuantity::AxialForce}));
+    const std::size_t column = historyColumn(run.scene, {-1, 0, 0, BoltQuantity::AxialForce});
     for (std::size_t i = 0; i < run.results.history.size(); ++i)
         run.results.history[i].values[column] = 5e3 * static_cast<double>(i);
     const HistoryCharts bolt = run.charts("B.axial_force over crown.uy");

@@ -100,7 +100,7 @@ protected:
     }
     /// Counted from the lower left.
     Colour at(int x, int y) const {
-        const auto first = static_cast<std::size_t>(3 * (400 * y + x));
+        const std::size_t first = 3 * (400 * y + x);
         return {pixels[first], pixels[first + 1], pixels[first + 2]};
     }
     vtkNew<vtkRenderWindow> window;

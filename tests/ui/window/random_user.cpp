@@ -203,7 +203,7 @@ bool RandomUser::mayDo(const QAction& action) const {
 
 void RandomUser::command() {
     const auto& all = commands_.all();
-    QAction* action = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+    QAction* action = all[below(static_cast<int>(all.size()))];
     if (!mayDo(*action)) return;
     tell("command", *action);
     ++counts_["command " + action->objectName().toStdString()];

@@ -96,7 +96,7 @@ Model::Model(const BarProblem& problem) : problem_(problem) {
     q_ = Eigen::VectorXd::Zero(nodes + (strain_ >= 0 ? 2 : 1));
     for (int i = 0; i + 1 < nodes; ++i) {
         Device bar;
-        const double length = problem.s[static_cast<std::size_t>(i) + 1] - problem.s[static_cast<std::size_t>(i)];
+        const double length = problem.s[i + 1] - problem.s[i];
         for (const auto& [strain, stress] : problem.steel)
             bar.curve.emplace_back(strain * length, stress * problem.area);
         bar.gradient = {{i, -1.0}, {i + 1, 1.0}};
@@ -115,7 +115,7 @@ Model::Model(const BarProblem& problem) : problem_(problem) {
         spring.gradient = {{from.node, -1.0}};
         if (from.side == Side::Moving) {
             spring.gradient.emplace_back(centre_, 1.0);
-            const double arm = problem.s[static_cast<std::size_t>(from.node)] - problem.blockCentre;
+            const double arm = problem.s[from.node] - problem.blockCentre;
             if (strain_ >= 0) spring.gradient.emplace_back(strain_, arm);
         }
         devices_.push_back(spring);
@@ -257,7 +257,7 @@ int Model::mostOverloaded(double atLeast) const {
         if (!d.peak || d.released || std::abs(d.force) / *d.peak < largest * (1.0 - 1e-6)) continue;
         double place = d.element + 0.5;
         if (d.spring >= 0) {
-            const BarSpring& spring = problem_.springs[static_cast<std::size_t>(d.spring)];
+            const BarSpring& spring = problem_.springs[d.spring];
             place = spring.node + (spring.plate ? 0.25 : 0.0);
         }
         if (place >= chosenPlace) continue;
@@ -270,13 +270,13 @@ int Model::mostOverloaded(double atLeast) const {
 /// Lets the springs over their limit go one after another. \return false when the steel broke.
 bool Model::releaseOverloaded(bool byLoad, BarResult& result) {
     for (int next = mostOverloaded(1.0 - 1e-12); next >= 0; next = mostOverloaded(1.0 + 1e-9)) {
-        Device& device = devices_[static_cast<std::size_t>(next)];
+        Device& device = devices_[next];
         BarEvent event{BarEventKind::Rupture, -1, device.element, false, load(), 0.0, opening()};
         if (device.element >= 0) {
             result.events.push_back(event);
             return false;
         }
-        const BarSpring& spring = problem_.springs[static_cast<std::size_t>(device.spring)];
+        const BarSpring& spring = problem_.springs[device.spring];
         event.kind = BarEventKind::Release;
         event.node = spring.node;
         event.plate = spring.plate;
@@ -318,7 +318,7 @@ void Model::run(double target, bool byLoad, BarResult& result) {
 double Model::load() const {
     double sum = 0.0;
     for (const Device& d : devices_)
-        if (d.spring >= 0 && problem_.springs[static_cast<std::size_t>(d.spring)].side == Side::Moving) sum += d.force;
+        if (d.spring >= 0 && problem_.springs[d.spring].side == Side::Moving) sum += d.force;
     return sum;
 }
 

@@ -63,7 +63,7 @@ public:
 private:
     int node(int column, int row) const { return column * (rows_ + 1) + row; }
     int atEnd(int end, int row) const { return 2 * node(end * columns_, row); }  // its x
-    char& touches(int end, int row) { return touches_[static_cast<std::size_t>(end * (rows_ + 1) + row)]; }
+    char& touches(int end, int row) { return touches_[end * (rows_ + 1) + row]; }
 
     void assemble(const VoussoirBeam& beam) {
         const Matrix8 element = squareStiffness(beam.youngsModulus, beam.poissonsRatio);
@@ -86,14 +86,14 @@ private:
 
     /// Nodes that touch the abutment stay where they are; those that touch in the middle stay on the line of symmetry.
     void balance() {
-        std::vector<char> held(static_cast<std::size_t>(load_.size()), 0);
+        std::vector<char> held(load_.size(), 0);
         for (int row = 0; row <= rows_; ++row) {
             if (touches(0, row))
-                held[static_cast<std::size_t>(atEnd(0, row))] = held[static_cast<std::size_t>(atEnd(0, row)) + 1] = 1;
-            if (touches(1, row)) held[static_cast<std::size_t>(atEnd(1, row))] = 1;
+                held[atEnd(0, row)] = held[atEnd(0, row) + 1] = 1;
+            if (touches(1, row)) held[atEnd(1, row)] = 1;
         }
         Eigen::SparseMatrix<double> free = stiffness_;
-        const auto isHeld = [&](Eigen::Index i) { return held[static_cast<std::size_t>(i)] != 0; };
+        const auto isHeld = [&](Eigen::Index i) { return held[i] != 0; };
         free.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || (!isHeld(i) && !isHeld(j)); });
         Eigen::VectorXd right = load_;
         for (Eigen::Index i = 0; i < right.size(); ++i)

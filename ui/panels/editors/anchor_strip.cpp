@@ -66,7 +66,7 @@ std::size_t AnchorLine::nodeAt(const QPointF& pixel) const {
     const auto nearest = std::ranges::min_element(nodes_, {}, [&](const double& node) {
         return std::abs(placeOf(static_cast<std::size_t>(&node - nodes_.data())).x() - pixel.x());
     });
-    return static_cast<std::size_t>(nearest - nodes_.begin());
+    return nearest - nodes_.begin();
 }
 
 bool AnchorLine::shownReal(std::size_t i) const {
@@ -197,7 +197,7 @@ std::vector<double> AnchorStrip::nodesNow(int pattern, std::size_t bolt, double 
             const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
             const bool known = shape.bolt >= 0 && static_cast<std::size_t>(shape.bolt) < solved.bolts.size();
             if (!known || shape.s.size() < 2) continue;
-            const bool same = pattern >= 0 ? solved.bolts[static_cast<std::size_t>(shape.bolt)].pattern == pattern
+            const bool same = pattern >= 0 ? solved.bolts[shape.bolt].pattern == pattern
                                            : shape.bolt == static_cast<int>(bolt);
             if (same) return shape.s;
         }
@@ -238,7 +238,7 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     Scene after = *context_.document.scene();
     const auto at = objectAt(after, pointer_);
     if (!at || at->structure != &tableOf<Bolt>()) return;
-    const auto index = static_cast<std::size_t>(static_cast<const Bolt*>(at->object) - after.bolts.data());
+    const std::size_t index = static_cast<const Bolt*>(at->object) - after.bolts.data();
     Bolt& bolt = after.bolts[index];
     const BoltType* type = boltTypeNamed(after, bolt.type);
     if (!type) return;

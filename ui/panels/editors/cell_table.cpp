@@ -57,7 +57,7 @@ void CellTable::setRows(const std::vector<QStringList>& rows) {
     for (int row = 0; row < rowCount(); ++row)
         for (int column = 0; column < columnCount(); ++column) {
             const bool inside = row < static_cast<int>(rows.size());
-            put(row, column, inside ? rows[static_cast<std::size_t>(row)].value(column) : QString());
+            put(row, column, inside ? rows[row].value(column) : QString());
         }
     fitHeight();
 }

@@ -83,7 +83,7 @@ TableEditor::TableEditor(const FormRow& row, const FormContext& context, QWidget
 
 std::string_view TableEditor::unit(int column) const {
     if (row_.field->kind != FieldKind::Pairs) return holdsNumbers(row_) ? row_.field->unit : std::string_view();
-    return columnUnits(row_.at, *row_.field)[static_cast<std::size_t>(column)];
+    return columnUnits(row_.at, *row_.field)[column];
 }
 
 QStringList TableEditor::headings() const {
@@ -188,7 +188,7 @@ void NamesEditor::present(const FormRow& row) {
     }
     const auto boxes = findChildren<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly);
     for (int i = 0; i < boxes.size(); ++i) {
-        const bool ticked = chosen && std::ranges::count(*chosen, names_[static_cast<std::size_t>(i)]);
+        const bool ticked = chosen && std::ranges::count(*chosen, names_[i]);
         boxes[i]->setTristate(row.mixed);
         boxes[i]->setCheckState(row.mixed ? Qt::PartiallyChecked : ticked ? Qt::Checked : Qt::Unchecked);
     }

@@ -25,7 +25,7 @@ class ProblemList : public QAbstractListModel {
 public:
     using QAbstractListModel::QAbstractListModel;
     void show(std::vector<ProblemRow> rows);
-    const ProblemRow& rowAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    const ProblemRow& rowAt(int row) const { return rows_[row]; }
     const std::vector<ProblemRow>& rows() const { return rows_; }
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

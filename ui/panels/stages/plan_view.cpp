@@ -47,7 +47,7 @@ int PlanModel::columnCount(const QModelIndex& parent) const { return parent.isVa
 
 QVariant PlanModel::data(const QModelIndex& index, int role) const {
     const PlanRow& row = planRow(index.row());
-    const PlanCell& cell = row.cells[static_cast<std::size_t>(index.column())];
+    const PlanCell& cell = row.cells[index.column()];
     const QString there = cell.there ? tr("in place") : row.isBolt ? tr("not in place") : tr("open");
     const QString word = eventWord(cell).isEmpty() ? there : eventWord(cell);
     if (role == Qt::AccessibleTextRole)
@@ -65,7 +65,7 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
 
 void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const PlanRow& row = static_cast<const PlanModel*>(index.model())->planRow(index.row());
-    const auto stage = static_cast<std::size_t>(index.column());
+    const std::size_t stage = index.column();
     const PlanCell& cell = row.cells[stage];
     const Theme& t = themes_.current();
     painter->save();

@@ -22,7 +22,7 @@ class PlanModel : public QAbstractTableModel {
 public:
     using QAbstractTableModel::QAbstractTableModel;
     void show(std::vector<PlanRow> rows, QStringList stages);
-    const PlanRow& planRow(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    const PlanRow& planRow(int row) const { return rows_[row]; }
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

@@ -172,7 +172,7 @@ void StagesPanel::rename(QTreeWidgetItem* item) {
     const int stage = list_->indexOfTopLevelItem(item);
     const Scene& scene = *context_.document.scene();
     if (stage >= static_cast<int>(scene.stages.size())) return;  // just gone
-    const QString before = QString::fromStdString(scene.stages[static_cast<std::size_t>(stage)].name);
+    const QString before = QString::fromStdString(scene.stages[stage].name);
     if (item->text(NameColumn) == before) return;
     apply(tr("Rename %1").arg(QString::fromStdString(titleAt(scene, pointerOf(stage).toStdString()))),
           renameAt(scene, pointerOf(stage).toStdString(), item->text(NameColumn).trimmed().toStdString()), {});
@@ -188,7 +188,7 @@ void StagesPanel::setKind(int stage, StageKind kind) {
 void StagesPanel::togglePlan(int row, int stage) {
     const Scene& scene = *context_.document.scene();
     const PlanRow thing = plan_->plan().planRow(row);
-    const auto at = static_cast<std::size_t>(stage);
+    const std::size_t at = stage;
     if (at >= scene.stages.size()) return;  // just gone
     apply(toggledName(scene, thing, at), toggled(scene, thing, at), {});
 }

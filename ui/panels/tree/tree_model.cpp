@@ -78,7 +78,7 @@ QModelIndex TreeModel::indexOf(const QString& id) const {
 QModelIndex TreeModel::index(int row, int column, const QModelIndex& parent) const {
     const TreeNode* node = nodeOf(parent);
     if (row < 0 || row >= static_cast<int>(node->children.size()) || column != 0) return {};
-    return createIndex(row, 0, node->children[static_cast<std::size_t>(row)].get());
+    return createIndex(row, 0, node->children[row].get());
 }
 
 QModelIndex TreeModel::parent(const QModelIndex& index) const {

@@ -121,7 +121,7 @@ void addBondLimits(const BoltFrame& bolt, double factor, ChartPanel& panel) {
 }  // namespace
 
 void BoltReach::add(const Frame& frame) {
-    const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
+    const BoltFrame& bolt = frame.bolts[bolt_];
     if (bolt.nodes.size() < 2) return;
     for (const NodeQuantity& quantity : boltQuantities()) {
         ValueRange& reached = reached_[quantity.column];
@@ -138,7 +138,7 @@ void BoltReach::add(const Frame& frame) {
 void BoltReach::addPeaks(const Frame& frame) {
     if (static_cast<std::size_t>(bolt_) >= frame.extremes.size()) return;
     for (const NodeQuantity& quantity : boltQuantities()) {
-        const BoltPeak* peak = peakOf(frame.extremes[static_cast<std::size_t>(bolt_)], quantity.name);
+        const BoltPeak* peak = peakOf(frame.extremes[bolt_], quantity.name);
         if (!peak) continue;
         ValueRange& reached = reached_[quantity.column];
         reached = {std::min(reached.low, peak->value), std::max(reached.high, peak->value)};
@@ -167,7 +167,7 @@ public:
 
     BoltChart build() {
         assert(0 <= bolt_ && bolt_ < static_cast<int>(frame_.bolts.size()) && !now().nodes.empty());
-        const Bolt& bolt = run_.scene().bolts[static_cast<std::size_t>(bolt_)];
+        const Bolt& bolt = run_.scene().bolts[bolt_];
         chart_.length = (bolt.head - bolt.farEnd).norm();
         chart_.title = titleText(bolt);
         chart_.chart.xTitle = "distance from the far end (m)";
@@ -187,7 +187,7 @@ public:
     }
 
 private:
-    const BoltFrame& now() const { return frame_.bolts[static_cast<std::size_t>(bolt_)]; }
+    const BoltFrame& now() const { return frame_.bolts[bolt_]; }
 
     std::string titleText(const Bolt& bolt) const {
         const std::string title = titleOf(run_, index_);
@@ -209,7 +209,7 @@ private:
 
     /// The bolt's utilisation in the run so far.
     std::string usedText() const {
-        const auto bolt = static_cast<std::size_t>(bolt_);
+        const std::size_t bolt = bolt_;
         if (bolt >= frame_.extremes.size()) return {};
         const std::string text = useText(boltUse(bolt_, frame_.extremes[bolt]));
         return text.empty() ? "" : "; to date " + text;
@@ -249,7 +249,7 @@ private:
         }
         for (std::size_t f = 0; f <= index_; ++f) {
             const Frame frame = run_.frame(f);
-            const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
+            const BoltFrame& bolt = frame.bolts[bolt_];
             if (bolt.nodes.size() < 2) continue;
             reach_.add(frame);
             for (Envelope& envelope : chart_.envelopes) widen(envelope, bolt);

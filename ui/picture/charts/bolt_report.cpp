@@ -50,7 +50,7 @@ BoltCondition conditionOf(const BoltFrame& frame, const BoltReport& report, int 
 std::string_view wordOf(BoltCondition condition) { return conditionWords[static_cast<std::size_t>(condition)]; }
 
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events) {
-    const auto row = static_cast<std::size_t>(bolt);
+    const std::size_t row = bolt;
     assert(bolt >= 0 && row < scene.bolts.size() && row < frame.bolts.size());
     const BoltFrame& state = frame.bolts[row];
     BoltReport report;

@@ -135,7 +135,7 @@ private:
         chart.x = range;
         for (const Event& event : events_) {
             const long place = placeOf(event, atFrames);
-            const auto at = static_cast<std::size_t>(place);
+            const std::size_t at = place;
             if (isOfBolts(event) && place >= 0 && at < x.size() && std::isfinite(x[at])) chart.events.push_back(x[at]);
         }
         addPanels(chart, of, x, atFrames);
@@ -175,8 +175,8 @@ private:
         const BoltQuantityRow& debonded = rowOf(BoltQuantity::DebondedLength);
         std::vector<std::pair<double, Series>> bolts;
         for (std::size_t b = 0; b < run_.scene().bolts.size(); ++b) {
-            const auto column = static_cast<std::size_t>(
-                historyColumn(run_.scene(), {-1, 0, static_cast<int>(b), debonded.quantity}));
+            const std::size_t column = 
+                historyColumn(run_.scene(), {-1, 0, static_cast<int>(b), debonded.quantity});
             double most = 0.0;
             for (const HistoryRow& row : history_)
                 if (std::isfinite(row.values[column])) most = std::max(most, row.values[column]);

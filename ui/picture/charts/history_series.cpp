@@ -24,8 +24,8 @@ std::vector<Series> monitorSeries(const Scene& scene) {
     std::vector<Series> all;
     for (std::size_t m = 0; m < scene.monitors.size(); ++m) {
         const Monitor& monitor = scene.monitors[m];
-        const auto column = [&](int component) {
-            return static_cast<std::size_t>(historyColumn(scene, {static_cast<int>(m), component, -1, {}}));
+        const auto column = [&](int component) -> std::size_t {
+            return historyColumn(scene, {static_cast<int>(m), component, -1, {}});
         };
         if (monitor.point) {
             all.push_back({monitor.name + ".ux", "Displacement along x (mm)", column(0), 1e3, false, false});

@@ -50,7 +50,7 @@ std::optional<Point> placeWithin(const Pin& pin, const std::vector<Point>& corne
 /// Index of the node row with the pinned value: steel forces belong to elements, bond values to nodes.
 std::size_t rowOf(const Pin& pin) {
     const bool ofElement = rowOf(*pin.ofBolt).part == BoltPart::Element;
-    return static_cast<std::size_t>(ofElement || pin.node < 0 ? pin.element : pin.node);
+    return ofElement || pin.node < 0 ? pin.element : pin.node;
 }
 
 }  // namespace
@@ -72,8 +72,8 @@ Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, c
     pin.element = pick.element;
     pin.node = pick.node;
     pin.ofBolt = ofBolt;
-    const auto e = static_cast<std::size_t>(pick.element);
-    pin.s = pick.node >= 0 ? bolt.s[static_cast<std::size_t>(pick.node)] : 0.5 * (bolt.s[e] + bolt.s[e + 1]);
+    const std::size_t e = pick.element;
+    pin.s = pick.node >= 0 ? bolt.s[pick.node] : 0.5 * (bolt.s[e] + bolt.s[e + 1]);
     pin.where = bolt.name + " at " + numberText(pin.s, 2) + " m";
     return pin;
 }
@@ -99,11 +99,11 @@ void PinTrack::add(const Frame& frame) { values_.push_back(valueOf(frame)); }
 
 double PinTrack::valueOf(const Frame& frame) {
     if (pin_.ofBolt) {
-        const auto bolt = static_cast<std::size_t>(pin_.bolt);
+        const std::size_t bolt = pin_.bolt;
         if (bolt >= frame.bolts.size() || rowOf(pin_) >= frame.bolts[bolt].nodes.size()) return noNumber;
         return pin_.ofBolt->value(frame.bolts[bolt].nodes[rowOf(pin_)]) * pin_.ofBolt->display.factor;
     }
-    const auto block = static_cast<std::size_t>(pin_.block);
+    const std::size_t block = pin_.block;
     if (block >= frame.blocks.size() || frame.blocks[block].area == 0.0) return noNumber;
     return ofPoint(frame.blocks[block]) * pin_.ofBlock->display.factor;
 }

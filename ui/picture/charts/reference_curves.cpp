@@ -32,8 +32,8 @@ bool shows(const ChartPanel& panel, const std::string& name) {
 }
 
 std::size_t referencesOf(const ChartPanel& panel) {
-    return static_cast<std::size_t>(std::count_if(panel.curves.begin(), panel.curves.end(),
-                                                  [](const ChartCurve& curve) { return isReference(curve.style); }));
+    return std::count_if(panel.curves.begin(), panel.curves.end(),
+                                                  [](const ChartCurve& curve) { return isReference(curve.style); });
 }
 
 void widen(ValueRange& range, const std::vector<double>& values) {
@@ -68,7 +68,7 @@ void ReferencePlacer::place(Chart& chart) {
             if (static_cast<int>(c) != over && tables_[t].columns[c].measure != Measure::Time)
                 placeColumn(t, c, x, chart);
         const bool any = std::any_of(used_[t].begin(), used_[t].end(), [](bool used) { return used; });
-        if (over >= 0 && any) used_[t][static_cast<std::size_t>(over)] = true;
+        if (over >= 0 && any) used_[t][over] = true;
     }
 }
 
@@ -96,7 +96,7 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
         faults_[t] = std::to_string(count) + " of its columns may be the axis " + inQuotes(axis.name);
     hasAxis_[t] = hasAxis_[t] || found >= 0;
     if (found < 0) return {};
-    std::vector<double> x = table.columns[static_cast<std::size_t>(found)].values;
+    std::vector<double> x = table.columns[found].values;
     if (!chart.overTime) {
         const Unit unit = unitOfTitle(chart.xTitle).unit;
         for (double& value : x) value = fromSi(value, unit);

@@ -33,7 +33,7 @@ Point carriedAlong(const Point& place, const std::vector<Point>& now, const std:
         return (a - place).squaredNorm() < (b - place).squaredNorm();
     });
     if (nearest == now.end()) return place;
-    return place + drawn[static_cast<std::size_t>(nearest - now.begin())] - *nearest;
+    return place + drawn[nearest - now.begin()] - *nearest;
 }
 
 std::vector<Point> deformedNodes(const Bolt& bolt, const BoltFrame& frame, double factor) {

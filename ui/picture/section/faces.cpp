@@ -94,7 +94,7 @@ private:
     /// that it is a sub-block of).
     bool liesOnBorder(const SolvedBlock& own, const Point& place) const {
         if (own.plateOf >= 0) return false;
-        const Block& block = scene_.blocks[static_cast<std::size_t>(own.block)];
+        const Block& block = scene_.blocks[own.block];
         for (std::size_t edge = 0; edge < block.faces.size(); ++edge) {
             const Point& a = block.points[edge];
             const Point& b = block.points[(edge + 1) % block.points.size()];

@@ -40,7 +40,7 @@ std::optional<Pick> PickIndex::boltAt(const Point& place, double reach) const {
     std::optional<Pick> found;
     double nearest = reach, nearestNode = reach;
     for (const int index : bolts_.meeting(grown({place, place}, reach))) {
-        const BoltShape& bolt = picture_->bolts[static_cast<std::size_t>(index)];
+        const BoltShape& bolt = picture_->bolts[index];
         const Pick pick{PickKind::Bolt, -1, bolt.bolt, -1, -1, static_cast<std::size_t>(index)};
         for (std::size_t e = 0; e + 1 < bolt.nodes.size(); ++e) {
             const double away = distanceToSegment(bolt.nodes[e], bolt.nodes[e + 1], place);
@@ -64,7 +64,7 @@ std::optional<Pick> PickIndex::boltAt(const Point& place, double reach) const {
 std::optional<Pick> PickIndex::blockAt(const Point& place) const {
     const std::vector<int> near = blocks_.meeting({place, place});
     for (const int index : near | std::views::reverse) {
-        const BlockShape& block = picture_->blocks[static_cast<std::size_t>(index)];
+        const BlockShape& block = picture_->blocks[index];
         if (locate(block.outline, place, 0.0) != Side::Outside)
             return Pick{PickKind::Block, block.block, -1, -1, -1, static_cast<std::size_t>(index)};
     }

@@ -63,20 +63,20 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
     RowMaker make{picture.numbers, reading};
     if (pick.kind == PickKind::Block) {
         reading.head = "Block " + picture.blocks[pick.shape].name;
-        const auto block = static_cast<std::size_t>(pick.block);
+        const std::size_t block = pick.block;
         if (block < frame.blocks.size())
             make.addBlock(blocksFirst, frame.blocks[block],
                           block < frame.blockExtremes.size() ? &frame.blockExtremes[block] : nullptr);
         return reading;
     }
     const BoltShape& shape = picture.bolts[pick.shape];
-    const auto bolt = static_cast<std::size_t>(pick.bolt);
-    const auto at = static_cast<std::size_t>(pick.node >= 0 ? pick.node : pick.element);
+    const std::size_t bolt = pick.bolt;
+    const std::size_t at = pick.node >= 0 ? pick.node : pick.element;
     reading.head = shape.name + " at " + numberText(at < shape.s.size() ? shape.s[at] : 0.0, 2) + " m";
     if (bolt >= frame.bolts.size() || at >= frame.bolts[bolt].nodes.size()) return reading;
     BoltNodeFrame node = frame.bolts[bolt].nodes[at];
     // Steel forces belong to the element; those in the row of the head are the forces of the face plate.
-    const BoltNodeFrame& element = frame.bolts[bolt].nodes[static_cast<std::size_t>(std::max(pick.element, 0))];
+    const BoltNodeFrame& element = frame.bolts[bolt].nodes[std::max(pick.element, 0)];
     node.axialForce = element.axialForce;
     node.shearForce = element.shearForce;
     make.addNode(boltsFirst, node);

@@ -89,8 +89,8 @@ private:
     void addFaces() {
         for (const FacePiece& piece : facePieces(scene_, solved_, before_, present_)) {
             if (piece.kind == FaceKind::Joint) continue;
-            const auto& corners = drawn_[static_cast<std::size_t>(piece.block)];
-            const Point& a = corners[static_cast<std::size_t>(piece.edge)];
+            const auto& corners = drawn_[piece.block];
+            const Point& a = corners[piece.edge];
             const Point along = corners[static_cast<std::size_t>(piece.edge + 1) % corners.size()] - a;
             const LineShape line{a + piece.from * along, a + piece.to * along};
             if (piece.kind == FaceKind::Wall) picture_.walls.push_back(line);
@@ -111,7 +111,7 @@ private:
         if (!contactScale_) return;
         std::vector<Point> places;
         for (const ContactFrame& contact : frame_.contacts) {
-            const auto a = static_cast<std::size_t>(contact.blockA);
+            const std::size_t a = contact.blockA;
             const bool moves = a < drawn_.size() && drawn_[a].size() == frame_.blocks[a].points.size();
             places.push_back(moves ? carriedAlong(contact.position, frame_.blocks[a].points, drawn_[a])
                                    : contact.position);
@@ -174,7 +174,7 @@ private:
     /// Adds the lowest limit that the values have not exceeded, even if it is far above them.
     void addLimit(Ribbon& ribbon, double largest) const {
         const BoltShape& shape = picture_.bolts[ribbon.shape];
-        const auto bolt = static_cast<std::size_t>(shape.bolt);
+        const std::size_t bolt = shape.bolt;
         const auto take = [&](const std::string& name, const std::vector<double>& limits) {
             const double limit = *std::max_element(limits.begin(), limits.end());
             if (ribbon.limit || limit < largest * (1.0 - noValue)) return;
@@ -202,7 +202,7 @@ private:
                 if (entry.kind == EventKind::PlateLoss || entry.kind == EventKind::BoltLoss)
                     entry.place = shape.nodes.back();
                 else if (at >= 0 && static_cast<std::size_t>(at) < shape.nodes.size())
-                    entry.place = shape.nodes[static_cast<std::size_t>(at)];
+                    entry.place = shape.nodes[at];
             }
         }
     }

@@ -49,7 +49,7 @@ struct Placed {
 
     int blockOf(std::size_t node) const {
         const BoltMotion& bolt = state.bolts[0];
-        return bolt.nodes[node].slot < 0 ? -1 : bolt.slots[static_cast<std::size_t>(bolt.nodes[node].slot)].block;
+        return bolt.nodes[node].slot < 0 ? -1 : bolt.slots[bolt.nodes[node].slot].block;
     }
 
     /// Sums of the shares of the anchors and of the springs across, in one block.
@@ -192,7 +192,7 @@ std::size_t enterSliding(Placed& bolt, double force) {
     const double stiffness = bolt.model.bolts[0].anchors[0].stiffness;
     for (BoltNode& node : bolt.state.bolts[0].nodes) {
         if (node.slot < 0) continue;
-        const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[static_cast<std::size_t>(node.slot)]);
+        const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[node.slot]);
         node.bond.bonded = false;
         node.bond.curve.plastic = alongSlot(line, node) - force / stiffness;
         node.bond.offset = node.bond.curve.plastic;
@@ -208,7 +208,7 @@ std::size_t enterSliding(Placed& bolt, double force) {
 /// Force of the law per metre where the node is now.
 double lawForce(const Placed& bolt, std::size_t n) {
     const BoltNode& node = bolt.state.bolts[0].nodes[n];
-    const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[static_cast<std::size_t>(node.slot)]);
+    const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[node.slot]);
     const AnchorModel& anchor = bolt.model.bolts[0].anchors[n];
     return anchor.stiffness * (alongSlot(line, node) - (anchor.curve ? node.bond.curve.plastic : node.bond.offset));
 }

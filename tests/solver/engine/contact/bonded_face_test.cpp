@@ -59,7 +59,7 @@ struct Joined {
     }
 
     Point at(const Contact& c) const {
-        return state.blocks[static_cast<std::size_t>(c.blockA)].corners[static_cast<std::size_t>(c.corner)];
+        return state.blocks[c.blockA].corners[c.corner];
     }
 };
 

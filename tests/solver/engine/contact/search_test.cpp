@@ -34,7 +34,7 @@ struct Found {
     void shift(int block, const Point& by) {
         Vector6 d = Vector6::Zero();
         d.head<2>() = by;
-        moveBlock(model.blocks[static_cast<std::size_t>(block)], state.blocks[static_cast<std::size_t>(block)], d);
+        moveBlock(model.blocks[block], state.blocks[block], d);
     }
 
     int between(int a, int b) const {
@@ -169,7 +169,7 @@ TEST(Contacts, CornerInsideAConvexCornerTakesTheNearerFace) {
     Found found(boxes({{{0, 0}, {1, 1}}, {{1, 1}, {2, 2}}}));
     found.shift(1, {-1e-5, -3e-5});
     for (const Contact& c : findContacts(found.model, found.state.blocks, {}, 1e-3, false)) {
-        const Edge edge = edgeOf(found.state.blocks[static_cast<std::size_t>(c.blockB)].corners, c.edge);
+        const Edge edge = edgeOf(found.state.blocks[c.blockB].corners, c.edge);
         EXPECT_NEAR(std::abs(edge.outward.x()), 1.0, 1e-12);
         EXPECT_NEAR(c.gap, -1e-5, 1e-12);
     }

@@ -63,7 +63,7 @@ struct BondedJoint {
         moveBlock(model.blocks[1], state.blocks[1], d);
         for (const Link& link : links()) {
             const double force = respond(link.law, link.strain).force;
-            Contact& c = state.contacts[static_cast<std::size_t>(link.owner)];
+            Contact& c = state.contacts[link.owner];
             (link.kind == LinkKind::Normal ? c.normalForce : c.shearForce) =
                 link.kind == LinkKind::Normal ? -force : force;
         }
@@ -94,7 +94,7 @@ TEST(Limits, AJointThatLetsGoCarriesItsFrictionAndKeepsTheBooks) {
     EXPECT_GT(joint.state.energy.released, 0.0);
     for (const Link& link : joint.links()) {
         if (link.kind != LinkKind::Friction) continue;
-        const Contact& c = joint.state.contacts[static_cast<std::size_t>(link.owner)];
+        const Contact& c = joint.state.contacts[link.owner];
         EXPECT_FALSE(c.bonded);
         EXPECT_NEAR(c.limit, c.normalForce * std::tan(std::acos(-1.0) / 6.0), 1e-9 * c.limit);
         EXPECT_NEAR(std::abs(link.law.stiffness * (link.strain - link.law.offset)), c.limit, 1e-6 * c.limit);

@@ -73,17 +73,17 @@ struct Setting {
     }
 
     bool isBlock(int body) const { return body < static_cast<int>(model.blocks.size()); }
-    const BoltNode& node(int body) const { return state.bolts[0].nodes[static_cast<std::size_t>(body) - 2]; }
+    const BoltNode& node(int body) const { return state.bolts[0].nodes[body - 2]; }
 
     State moved(int body, int unknown, double by) const {
         State at = state;
         if (isBlock(body)) {
             Vector6 d = Vector6::Zero();
             d[unknown] = by;
-            moveBlock(model.blocks[static_cast<std::size_t>(body)], at.blocks[static_cast<std::size_t>(body)], d);
+            moveBlock(model.blocks[body], at.blocks[body], d);
             return at;
         }
-        BoltNode& n = at.bolts[0].nodes[static_cast<std::size_t>(body) - 2];
+        BoltNode& n = at.bolts[0].nodes[body - 2];
         if (unknown < 2) n.x[unknown] += by;
         else n.angle += by;
         return at;
@@ -94,7 +94,7 @@ struct Setting {
         if (body < 0) return Eigen::Vector3d::Zero();
         Point force = g.head<2>(), place;
         if (isBlock(body)) {
-            const BlockMotion& block = state.blocks[static_cast<std::size_t>(body)];
+            const BlockMotion& block = state.blocks[body];
             force = g[0] * block.axis + g[1] * turnLeft(block.axis);
             place = block.centroid;
         } else {

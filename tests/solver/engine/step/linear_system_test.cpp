@@ -39,9 +39,9 @@ public:
     void assemble(const std::vector<double>& ground) {
         system.clear();
         const auto add = [&](int i, int j, double value) {
-            system.values()[static_cast<std::size_t>(system.slot(i, j))] += value;
+            system.values()[system.slot(i, j)] += value;
         };
-        for (int i = 0; i < n_; ++i) add(i, i, ground[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < n_; ++i) add(i, i, ground[i]);
         for (const Spring& spring : springs_) {
             add(spring.a, spring.a, spring.stiffness);
             add(spring.b, spring.b, spring.stiffness);
@@ -51,7 +51,7 @@ public:
 
     Eigen::MatrixXd dense(const std::vector<double>& ground) const {
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n_, n_);
-        for (int i = 0; i < n_; ++i) matrix(i, i) = ground[static_cast<std::size_t>(i)];
+        for (int i = 0; i < n_; ++i) matrix(i, i) = ground[i];
         for (const Spring& s : springs_) {
             matrix(s.a, s.a) += s.stiffness;
             matrix(s.b, s.b) += s.stiffness;
@@ -92,8 +92,8 @@ std::vector<Spring> denseNet(int side) {
 }
 
 std::vector<double> someLoad(int n) {
-    std::vector<double> load(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i) load[static_cast<std::size_t>(i)] = std::sin(1.0 + i);
+    std::vector<double> load(n);
+    for (int i = 0; i < n; ++i) load[i] = std::sin(1.0 + i);
     return load;
 }
 
@@ -101,7 +101,7 @@ double largest(const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff(); }
 
 void expectSolves(int n, const std::vector<Spring>& springs) {
     SpringNet net(n, springs);
-    const std::vector<double> ground(static_cast<std::size_t>(n), 0.5);
+    const std::vector<double> ground(n, 0.5);
     net.assemble(ground);
     ASSERT_EQ(net.system.factor(), -1);
 
@@ -135,7 +135,7 @@ SparseColumn columnOf(const Spring& spring) {
 /// Springs taken away and others made stiffer, by ranks: the same answer as by a factor of the changed net.
 void expectFollowsChanges(int n, const std::vector<Spring>& springs) {
     SpringNet net(n, springs);
-    const std::vector<double> ground(static_cast<std::size_t>(n), 0.5);
+    const std::vector<double> ground(n, 0.5);
     net.assemble(ground);
     ASSERT_EQ(net.system.factor(), -1);
     EXPECT_GT(net.system.worthwhileRanks(), 0);
@@ -241,7 +241,7 @@ TEST(LinearSystem, NamesAMemberOfALooseGroup) {
     // Unknowns 10, 20, 30 are tied together and to nothing else. Their last pivot is round-off of either sign.
     SpringNet net(50, {{10, 20, 3e9}, {20, 30, 1e9 / 3.0}, {1, 2, 1.0}});
     std::vector<double> ground(50, 1.0);
-    for (const int loose : {10, 20, 30}) ground[static_cast<std::size_t>(loose)] = 0.0;
+    for (const int loose : {10, 20, 30}) ground[loose] = 0.0;
     net.assemble(ground);
     const int failed = net.system.factor();
     EXPECT_TRUE(failed == 10 || failed == 20 || failed == 30) << failed;

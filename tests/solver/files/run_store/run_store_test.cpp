@@ -59,8 +59,8 @@ protected:
     }
 
     std::size_t filesInFolder() const {
-        return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+        return 
+            std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
     }
 
     void runSql(const std::string& sql) const { sqlite::Database(storePath(), sqlite::Access::Write).run(sql); }

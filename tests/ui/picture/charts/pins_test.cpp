@@ -116,7 +116,7 @@ TEST(Probe, ShowsPeaksBetweenFramesAndNoRoundOff) {
     Frame& frame = run.results.frames[1];
     const SectionPicture picture = run.picture(1);
     const Pick pick = pickAt(picture, {0.3, 1.2});
-    const auto row = static_cast<std::size_t>(pick.block);
+    const std::size_t row = pick.block;
     frame.blockExtremes.resize(frame.blocks.size());
     frame.blockExtremes[row].displacement = {0.5, 0, 0.1};
     frame.blocks[row].stress = {2.9e-10, 0.0, 0.0};

@@ -60,8 +60,8 @@ std::vector<Mark> marksAlong(MarkKind kind, double from, double step, int count)
 }
 
 std::size_t countOf(const std::vector<Mark>& marks, MarkKind kind) {
-    return static_cast<std::size_t>(
-        std::count_if(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.kind == kind; }));
+    return 
+        std::count_if(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.kind == kind; });
 }
 
 TEST(Marks, BondedMarksKeepTheirDistance) {
