@@ -83,7 +83,8 @@ lint lint-all:
 	@sh resources/install/debian.sh lint
 	@cmake --preset dev --log-level=WARNING
 	@cmake --build --preset lint
-	@sh tests/lint/lint.sh build/dev $(if $(filter lint-all,$@),all,"$(SINCE)")
+	@cmake --preset dev -B build/lint -DKEYBLOCK_UNITY=OFF --log-level=WARNING  # a compile command for each file
+	@sh tests/lint/lint.sh build/dev build/lint $(if $(filter lint-all,$@),all,"$(SINCE)")
 
 e2e: packages
 	@sh resources/install/debian.sh readers desktop

@@ -2,16 +2,18 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# usage: lint.sh BUILD_FOLDER all|COMMIT
+# usage: lint.sh BUILD_FOLDER COMMANDS_FOLDER all|COMMIT
 # Checks what has changed since COMMIT (in the working folder, committed or not): the
 # format of changed lines, the words of texts for users, includes, and C++ files with
 # clang-tidy. `all` checks every C++ file with clang-tidy and no format, because the
 # tree is not formatted as a whole. An empty COMMIT is where the branch left main, or
 # the last commit. Every check runs; the exit code is 1 where one found something.
+# COMMANDS_FOLDER has a compile_commands.json with a command for each file.
 set -eu
 cd "$(dirname "$0")/../.."
 build=$1
-since=$2
+commands=$2
+since=$3
 failed=""
 
 if [ "$since" = all ]; then
@@ -38,12 +40,12 @@ echo "Words and includes"
 # Only files that the build knows: others (fuzzers, benchmarks) have no compile command.
 known=""
 for file in $files; do
-    if grep -q "\"file\": \"$PWD/$file\"" "$build/compile_commands.json"; then known="$known $file"; fi
+    if grep -q "\"file\": \"$PWD/$file\"" "$commands/compile_commands.json"; then known="$known $file"; fi
 done
 if [ -n "$known" ]; then
     echo "clang-tidy:" $(echo $known | wc -w) "files"
     # shellcheck disable=SC2086  # a list of files
-    echo $known | xargs -n 1 -P "$(nproc)" clang-tidy -p "$build" --quiet 2>"$build/tidy.log" || {
+    echo $known | xargs -n 1 -P "$(nproc)" clang-tidy -p "$commands" --quiet 2>"$build/tidy.log" || {
         grep -v 'warnings\{0,1\} generated\|warnings\{0,1\} treated as error' "$build/tidy.log" || true
         failed="$failed clang-tidy"
     }
