@@ -21,9 +21,9 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// The parts of the line place + s·along, begin <= s <= end, that lie in the closed polygon, as intervals of s [m] in
-/// increasing order. Ends that lie in the polygon are returned unchanged. Parts within the tolerance of an edge lie in
-/// the polygon; parts no longer than the tolerance are omitted.
+/// The parts of the line place + s·along, with begin <= s <= end, that lie in the closed polygon, as intervals of s
+/// [m] in increasing order. If `begin` or `end` lies in the polygon, it is returned unchanged. Parts within the
+/// tolerance of an edge count as inside; parts no longer than the tolerance are omitted.
 /// \param polygon clockwise or counter-clockwise; may be concave
 /// \param along unit vector
 /// \param tolerance [m]

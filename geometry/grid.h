@@ -35,7 +35,7 @@ private:
         std::int64_t column = 0;
         int box = 0;
     };
-    /// Boxes of similar size in a grid of one cell size; none is larger than a cell.
+    /// Boxes of similar size in a uniform grid; no box is larger than a grid cell.
     struct Level {
         double cell = 0.0;  // [m]
         std::vector<Entry> entries;  // sorted by row, column, box

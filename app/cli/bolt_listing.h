@@ -12,7 +12,7 @@
 
 namespace keyblock::cli {
 
-/// One value of a type.
+/// One named value of a bolt type, as text, with its unit and source.
 struct BoltNumber {
     std::string key;  // e.g. `plate.width` or `anchors[0].strength`
     std::string value;
@@ -21,7 +21,7 @@ struct BoltNumber {
     bool confirmed = true;  // false: no available source gives the value
 };
 
-/// All values of the type that apply and are not null, in the order of the scene format.
+/// All applicable, non-null values of a bolt type, in the order of the scene format.
 std::vector<BoltNumber> numbersOf(const BoltType& type);
 
 }  // namespace keyblock::cli

@@ -15,13 +15,13 @@ namespace keyblock::cli {
 /// Kind and location of an event, as in `debonding of B at node 12`.
 std::string eventPhrase(const RunSource& run, const Event& event);
 
-/// One line for each chain of events in which each event caused the next; long chains are shortened. Empty if there are
-/// none.
+/// One line for each chain of events in which each event caused the next; long chains are shortened. Empty if there
+/// are no such chains.
 std::string chainLines(const RunSource& run, const std::vector<Event>& events);
 
-/// Table of the largest forces of each bolt over the run, the utilisation of its strengths, the strength that governs
-/// and the blocks that it supports. If there are many bolts, only those with the highest utilisation are listed. Empty
-/// if the run has no bolts or no frames.
+/// Table of the bolts: largest forces over the run, utilisation of each strength, governing strength and supported
+/// blocks. If there are many bolts, only those with the highest utilisation are listed. Empty if the run has no bolts
+/// or no frames.
 std::string boltUseTable(const RunSource& run);
 
 /// Table of the energies of the bolts in the last frame. If there are many bolts, only those with the highest energies

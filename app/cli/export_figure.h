@@ -10,7 +10,7 @@
 
 namespace keyblock::cli {
 
-/// Writes the figure, with its data in a file next to it, and reports problems in reference files.
+/// Writes the figure and, next to it, a file with its data; also reports problems in reference files.
 /// \pre `options.figure` is set.
 /// \throws UsageError if the figure cannot be drawn, or if the program was built without figures.
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);

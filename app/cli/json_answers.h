@@ -18,8 +18,8 @@
 
 namespace keyblock::cli {
 
-/// Output of `check`: `problems[] {severity, pointer, line, message, remedy}`, where an unknown line is null. If the
-/// scene has a domain that was cut, also `cut {blocks, vertices, edges, area_m2, tolerance_m, min_area_m2,
+/// Output of `check`: `problems[] {severity, pointer, line, message, remedy}`, where `line` is null if it is unknown.
+/// If the scene has a domain that was cut, also `cut {blocks, vertices, edges, area_m2, tolerance_m, min_area_m2,
 /// min_width_m, open_blocks, splits, reports[] {kind, x_m, y_m, message}}`. If the scene has no errors, also `census
 /// {blocks, cells, plates, fixed, contacts, bolts, nodes, unknowns {blocks, plates, bolts}, left_out[] {what, why,
 /// saves}, estimate {seconds, seconds_least, seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name,
@@ -31,8 +31,9 @@ std::string checkJson(const SceneReading& reading, const std::optional<ModelSumm
 /// stage, time_s, use {steel, shear, bond, plate}, governs, holds[]}, health {…}, verdict {stands, blocks[] {block,
 /// mode, moved_m, weight_N}, joints[] {block_a, block_b, mode, slip_m, opening_m}, bolts[] {bolt, event, stage,
 /// time_s}}, worst_balance {block, ratio, force_N, stage}, warnings[] {stage, message}, loose[]`. Values that are
-/// unknown because a stage has not ended are null. Forces are those of a single bolt, the largest over the run, with
-/// their sign. `use` is the used fraction of each strength; it is null if the bolt does not have that strength.
+/// unknown because a stage has not ended are null. Forces are per bolt; each is the value of largest magnitude over
+/// the run, with its sign. `use` is the utilisation of each strength (1: fully used), or null if the bolt does not
+/// have that strength.
 std::string infoJson(const RunStore& store);
 
 /// Output of `verify`: `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
@@ -42,12 +43,12 @@ std::string casesJson(std::span<const CaseResult> results);
 /// passed}}`.
 std::string paperJson(std::span<const PaperTable> tables);
 
-/// Output of `safety`: `reduce, bolt_forces, tolerance, factor {lower, upper}, answer, lower, upper, outcome, blocks[],
-/// runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[] {name, movement, displacement_m,
+/// Output of `safety`: `reduce, bolt_forces, tolerance, factor {lower, upper}, answer, lower, upper, outcome,
+/// blocks[], runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[] {name, movement, displacement_m,
 /// rotation_rad}, joints[] {blocks, joint_material, x_m, y_m, slip_m, opening_m}}`. `outcome` is `bracketed`,
 /// `stands-at-1000`, `falls-at-0.001`, `fails-at-1` (no bolt forces to freeze), `stopped`, `limit` or `undecided`.
-/// `lower` or `upper` is null if it was not found, `mode` if no run was unstable, and `joint_material` if the joint has
-/// none. \param solved the scene as solved, i.e. cut into blocks.
+/// `lower` or `upper` is null if it was not found, `mode` is null if no run was unstable, and `joint_material` is null
+/// if the joint has no material. \param solved the scene as solved, i.e. cut into blocks.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
 /// State of a run in progress, for display.

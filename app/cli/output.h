@@ -10,7 +10,7 @@
 
 namespace keyblock::cli {
 
-/// The command line is invalid; reported on one line, with exit code 2.
+/// Invalid command line. The message is printed on one line, and the program ends with exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -28,14 +28,14 @@ void printToError(std::string_view text);
 /// Writes `error: …` to standard error on one line; line breaks in the message are replaced by spaces.
 void printErrorLine(std::string_view message);
 
-/// System error number of the first failed write to standard output; 0 if there was none or it was due to a closed
-/// pipe.
+/// System error number of the first failed write to standard output; 0 if no write failed or the first failure was due
+/// to a closed pipe.
 int outputFailure();
 
 /// Whether standard error is a terminal.
 bool errorIsTerminal();
 
-/// Width of the terminal at standard error, in characters; 80 if it is unknown.
+/// Width in characters of the terminal to which standard error is connected; 80 if the width is unknown.
 int terminalWidth();
 
 }  // namespace keyblock::cli

@@ -19,10 +19,11 @@ namespace keyblock::cli {
 /// Folder with `stands.kbrun`, `fails.kbrun` and `safety.csv`, which gets its final name once it is complete.
 class SafetyFolder {
 public:
-    /// \throws CannotWrite if the folder exists and may not be replaced, or contains anything but an earlier search.
+    /// \throws CannotWrite if the folder exists and may not be replaced, or if it contains anything other than the
+    /// files of an earlier search.
     SafetyFolder(const std::filesystem::path& folder, bool overwrite);
 
-    /// Calls `run` with a sink that writes both to a new run store and to `other`.
+    /// Calls `run` with a sink that writes to both a new run store and `other`.
     void record(Sink& other, const std::function<void(Sink& both)>& run);
 
     /// Adds a run to the table. The store of the latest recorded run becomes `stands.kbrun` or `fails.kbrun`, unless

@@ -33,11 +33,11 @@ struct TextColumn {
 
 using TextRow = std::vector<std::string>;
 
-/// A table with a line of titles and a line for each row, each ending with a line feed.
+/// A table with a title line and one line per row; every line ends with a line feed.
 /// \pre every row has a cell for every column.
 std::string textTable(std::vector<TextColumn> columns, const std::vector<TextRow>& rows);
 
-/// One line of a table, ending with a line feed; the columns are not widened to fit their cells.
+/// One line of a table, ending with a line feed. Columns are not widened if cells are too long.
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells);
 
 }  // namespace keyblock::cli

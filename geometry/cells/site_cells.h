@@ -20,7 +20,8 @@ struct SiteCells {
     std::vector<std::vector<int>> rings;  // per site: corners of its cell, counter-clockwise
 };
 
-/// The Voronoi cells of `sites` within `bounds`, in time proportional to their number if they are evenly distributed.
+/// The Voronoi cells of `sites` within `bounds`. The run time is proportional to the number of sites if they are
+/// evenly distributed.
 /// \param spacing [m] approximate distance between neighbours; affects only the speed
 /// \param tolerance [m] distance up to which corners are merged
 /// \pre sites are farther apart than the tolerance and lie in `bounds`; tolerance exceeds round-off; spacing > 0.

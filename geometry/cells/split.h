@@ -20,7 +20,8 @@ struct Split {
 /// Splits a polygon by a line; new corners lie on the line.
 /// \param place point on the line [m]
 /// \param along unit vector in the direction of the line
-/// \param tolerance [m] distance up to which existing corners count as on the line; they are not moved
+/// \param tolerance [m] distance up to which an existing corner counts as lying on the line; such corners are not
+/// moved
 /// \pre the polygon runs counter-clockwise and does not cross itself.
 Split split(std::span<const Point> polygon, const Point& place, const Point& along, double tolerance);
 

@@ -17,7 +17,7 @@ namespace keyblock {
 /// Cells smaller than this fraction of a grid cell are merged with a neighbour.
 inline constexpr double leastCellShare = 0.25;
 
-/// A straight part of an edge that two cells share. From `from` to `to`, cell `a` is on the left.
+/// A straight part of an edge shared by two cells. Cell `a` is on the left when going from `from` to `to`.
 struct SharedEdge {
     int a = -1, b = -1;  // indices of the cells; a < b
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
@@ -29,13 +29,14 @@ struct SubBlocks {
     double cellArea = 0.0;  // area of a whole grid cell [m²]
 };
 
-/// Estimated number of grid cells of size `size` [m] in the bounding box of the polygon along its longest edge.
+/// Estimated number of grid cells of size `size` [m] in the polygon's bounding box aligned with its longest edge.
 double gridCells(std::span<const Point> polygon, double size);
 
-/// Divides a polygon into cells. Except for round-off, the result does not depend on its first corner or direction.
+/// Divides a polygon into cells. Apart from round-off, the result does not depend on which corner is first or on the
+/// direction of the outline.
 /// \param size [m] approximate cell size
-/// \param tolerance [m] distance up to which points lie on a grid line
-/// \pre the polygon does not cross itself and has an area; size > 0.
+/// \param tolerance [m] distance up to which a point counts as lying on a grid line
+/// \pre the polygon does not cross itself, and its area is not zero; size > 0.
 SubBlocks cutIntoCells(std::span<const Point> polygon, double size, double tolerance);
 
 }  // namespace keyblock

@@ -22,22 +22,22 @@ struct VoronoiCells {
     std::vector<Segment> edges;  // edges common to two cells, each once; the ends are exactly corners of cells
 };
 
-/// Number of times that the sites are moved to the centroids of their cells.
+/// Number of times the sites are moved to the centroids of their cells.
 inline constexpr int voronoiMoves = 4;
 
-/// Number of squares of side `size` [m] in the bounding box of the region, to be checked before `voronoiCells` is
-/// called, which generates a site in each square and discards those outside the region.
+/// Number of squares with side `size` [m] in the bounding box of the region. Check this number before calling
+/// `voronoiCells`, which generates a site in each square and discards the sites outside the region.
 /// \pre the region has at least one corner; size > 0.
 double voronoiEstimate(std::span<const Point> region, double size);
 
 /// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells if the region is translated.
-/// Cells are convex except at corners of a concave region; a cell interrupted by a concave part of the outline becomes
-/// several cells with the same site. A region in which no random site lies gets one site, at its centroid. Parts of
-/// cells and edges no larger than the tolerance are omitted.
+/// Cells are convex except at corners of a concave region; a cell interrupted by a concave part of the outline is
+/// split into several cells with the same site. If no random site lies in the region, a single site is placed at its
+/// centroid. Edges and parts of cells that are no larger than the tolerance are omitted.
 /// \param region clockwise or counter-clockwise
 /// \param size [m], well above the tolerance
 /// \param tolerance [m], above round-off
-/// \pre the region does not cross itself and has an area; voronoiEstimate(region, size) is reasonable.
+/// \pre the region does not cross itself, and its area is not zero; voronoiEstimate(region, size) is reasonable.
 VoronoiCells voronoiCells(std::span<const Point> region, double size, std::uint64_t seed, double tolerance);
 
 }  // namespace keyblock

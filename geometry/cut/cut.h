@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// Source of the edges on the outline of a domain.
+/// Source number of edges on the outline of a domain.
 inline constexpr int borderSource = -1;
 
 /// A region to be cut. The outlines of several domains may touch but should not overlap.
@@ -27,14 +27,14 @@ struct CutDomain {
     std::vector<Point> outline;  // [m]
 };
 
-/// A straight trace of a joint, or one edge of a closed outline such as a tunnel's.
+/// A straight trace of a joint, or one edge of a closed outline, for example of a tunnel.
 struct CutTrace {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     int source = 0;  // 0 or more, shared by any number of traces; where traces coincide, the lower applies
 };
 
 /// Limits of the cut. The defaults are relative to the size (longer side of the bounding box of all domains) or to the
-/// mean face.
+/// mean area of the faces.
 struct CutSettings {
     std::optional<double> tolerance;  // [m]; points and lines closer than this are joined; default: 1e-6 of the size
     std::optional<double> minArea;  // [m²]; smaller faces are merged; default: 1e-3 of the mean area; 0: none
@@ -43,15 +43,15 @@ struct CutSettings {
     bool keepStraight = false;  // keeps vertices on straight edges, so that neighbours share whole edges
 };
 
-/// A closed ring of distinct vertices, starting with the lowest index; the first is not repeated at the end.
+/// A closed ring of distinct vertices, starting with the vertex of lowest index, which is not repeated at the end.
 struct CutRing {
     std::vector<int> vertices;  // indices into Cut::vertices
     std::vector<int> sources;  // source of the edge from vertex i to the next
 };
 
-/// A block. Vertices on a straight line between edges of the same source are omitted, so a block has no vertex where an
-/// edge of its neighbour ends on one of its own edges, unless CutSettings::keepStraight is set. A corner shared by
-/// several blocks is the same vertex in all of them.
+/// A block. Unless CutSettings::keepStraight is set, a vertex between two collinear edges of the same source is
+/// omitted; a block then has no vertex at a point where a neighbour's edge ends on one of the block's edges. A corner
+/// shared by several blocks is the same vertex in all of them.
 struct CutBlock {
     int domain = 0;  // id of the domain
     CutRing outer;  // counter-clockwise
@@ -94,10 +94,11 @@ struct Cut {
 
 /// Cuts domains by traces. The tolerance used is at least 64 units in the last place of the coordinates and at most a
 /// hundredth of the size. Traces are trimmed at the boundary without a note. The interior of an outline that crosses
-/// itself follows from the even-odd rule; where domains overlap, the one with the lower id takes precedence. Blocks
-/// tile their domains except for the rounding of corners, which is about 1e-15 of the size, or the last place of the
-/// coordinates if that is coarser. Traces and domains with coordinates that are not finite are noted and omitted.
-/// \pre sources are 0 or more.
+/// itself is determined by the even-odd rule; where domains overlap, the one with the lower id takes precedence.
+/// Blocks tile their domains except for the rounding of corners, which is about 1e-15 of the size, or the last place
+/// of the coordinates if that is coarser. Traces and domains with coordinates that are not finite are reported and
+/// omitted.
+/// \pre source numbers are not negative.
 Cut cutIntoBlocks(std::span<const CutDomain> domains, std::span<const CutTrace> traces, const CutSettings& settings);
 
 }  // namespace keyblock

@@ -29,7 +29,7 @@ public:
     bool bounds(int halfEdge) const { return groupAt(halfEdge) != groupAt(halfEdge ^ 1); }
     int groupAt(int halfEdge) const { return groupOf(map_.halfEdges[halfEdge].face); }
 
-    /// Calls `visit(h)` for the half-edges of all faces of a group.
+    /// Calls `visit(h)` for every half-edge `h` of the faces of a group.
     template <class Visit>
     void forEachHalfEdge(int group, Visit visit) const {
         int face = group;
@@ -72,14 +72,15 @@ private:
     std::vector<double> area_, perimeter_;
 };
 
-/// A group that was below a limit.
+/// A group whose area or width was below the limit.
 struct Sliver {
     int edge = -1;  // longest edge that was removed; −1: no neighbour, not merged
     int halfEdge = -1;  // a half-edge of the group
     double area = 0.0;  // [m²]
 };
 
-/// Merges groups below a limit with neighbours, the smallest first, until no group below a limit has a neighbour.
+/// Merges each group whose area or width is below the limit with a neighbour, smallest group first, until no such
+/// group has a neighbour.
 /// \param faces number of faces of the map
 /// \param minArea [m²]
 /// \param minWidth [m]

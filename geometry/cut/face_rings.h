@@ -33,9 +33,9 @@ struct TracedGroup {
 class RingTracer {
 public:
     /// `map`, `groups` and `sources` must outlive the tracer.
-    /// \param sources source of each owner in the marks of the map
-    /// \param straight [m] vertices between edges of the same source are removed within this distance of the chord;
-    /// negative: none are removed
+    /// \param sources for each owner in the edge marks of the map, its source
+    /// \param straight [m] a vertex between edges of the same source is removed if it lies within this distance of the
+    /// chord; negative: no vertices are removed
     /// \pre the points of the map are distinct and in increasing order of x, then y.
     RingTracer(const PlanarMap& map, const FaceGroups& groups, std::span<const int> sources, double straight);
 

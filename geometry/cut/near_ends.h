@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Points grouped into places, so that points close to each other have the same place.
+/// Points grouped into places: points that are close to each other share a place.
 struct Gathered {
     std::vector<Point> places;  // more than the radius apart, except for fixed ones
     std::vector<int> placeOf;  // per point: index of its place
@@ -27,8 +27,8 @@ struct Gathered {
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
 /// Faster alternative to `gather` for a radius of the order of round-off. Points that are no farther apart than the
-/// radius, directly or through a chain of points, share one place: the fixed point among them with the lowest x, then
-/// y, or, if none is fixed, the point with the lowest x, then y. Places are in the same order.
+/// radius, directly or through a chain of points, share one place. This place is the first of their fixed points or,
+/// if none is fixed, the first of the points, in increasing order of x, then y. Places are sorted in the same order.
 /// \param fixed number of fixed points at the start of the list
 /// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);

@@ -31,8 +31,8 @@ inline Domains inOneOf(const Domains& a, const Domains& b) {
     return found;
 }
 
-/// Owner of an edge, and domains that it bounds. Where segments overlap, the lower `owner` applies, and domains that
-/// occur twice cancel.
+/// The owner of an edge and the domains that the edge bounds. Where segments overlap, the lowest `owner` applies, and
+/// a domain that occurs twice is cancelled.
 struct EdgeMark {
     int owner = 0;
     Domains domains{-1, -1};  // domains with the edge on their outline
@@ -43,7 +43,8 @@ struct MarkedSegment {
     EdgeMark mark;
 };
 
-/// One direction of an edge, with its face on the left. Edge e consists of the half-edges 2e and 2e + 1.
+/// An edge traversed in one of its two directions, with a face on the left. Edge e consists of the half-edges 2e and
+/// 2e + 1.
 struct HalfEdge {
     int next = -1;  // next half-edge of the same face
     int target = -1;  // vertex at its end

@@ -21,7 +21,7 @@
 
 namespace keyblock {
 
-/// An edge of the boundary, or a part of a trace that was kept.
+/// A boundary edge, or a part of a trace that remains after the clean-up.
 struct TracePiece {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     int source = borderSource;
