@@ -20,7 +20,8 @@ public:
     /// \pre tolerance > 0; coordinates / tolerance < 2⁶².
     explicit PointSet(double tolerance) : tolerance_(tolerance) { assert(tolerance > 0.0); }
 
-    /// Number of the nearest point within the tolerance of `p`; if there is none, `p` is added with a new number.
+    /// Number of the point nearest to `p` within the tolerance; if there is no such point, `p` is added and given a
+    /// new number.
     int number(const Point& p);
 
     const Point& operator[](int number) const { return points_[number]; }

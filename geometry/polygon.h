@@ -26,20 +26,20 @@ struct Moments {
 /// Area [m²], positive if the corners run counter-clockwise.
 double signedArea(std::span<const Point> polygon);
 
-/// Moments of a polygon; if it has no area, zero moments with the first corner as centroid.
+/// Moments of a polygon. If its area is zero, the moments are zero and the centroid is the first corner.
 /// \pre the polygon has at least one corner.
 Moments moments(std::span<const Point> polygon);
 
 /// The corners in counter-clockwise order; the first corner stays first.
 std::vector<Point> counterClockwise(std::vector<Point> polygon);
 
-/// Shortest distance [m] of a point inside or outside the polygon from its edges.
+/// Distance [m] from a point, inside or outside the polygon, to the nearest edge.
 /// \pre the polygon has at least one corner.
 double distanceToBoundary(std::span<const Point> polygon, const Point& p);
 
 enum class Side { Outside, Boundary, Inside };
 
-/// Position of `p` relative to a polygon, which may be concave and run in either direction.
+/// Position of `p` relative to a polygon, which may be concave and either clockwise or counter-clockwise.
 /// \param tolerance [m] distance from an edge up to which a point lies on the boundary
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance);
 

@@ -14,11 +14,11 @@
 
 namespace keyblock {
 
-/// Parameter of the projection of `p` onto the line through a and b: 0 at a, 1 at b; outside 0 … 1 beyond the ends; 0
-/// if a = b.
+/// Parameter of the projection of `p` onto the line through a and b: 0 at a, 1 at b, and less than 0 or greater than 1
+/// beyond the ends. The result is 0 if a = b.
 double footParameter(const Point& a, const Point& b, const Point& p);
 
-/// Distance [m] of `p` from the segment a–b; from a if a = b.
+/// Distance [m] of `p` from the segment a–b, which may have zero length.
 double distanceToSegment(const Point& a, const Point& b, const Point& p);
 
 /// Intersection of two segments: the parameter on each (0 … 1), and the point.
@@ -31,8 +31,8 @@ struct Crossing {
 /// Intersection of the closed segments a–b and c–d; none if they have no common point or are parallel.
 std::optional<Crossing> crossing(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// The parts of the segment a–b inside a polygon, as parameter intervals in increasing order. Parts along an edge,
-/// within the tolerance of it, are not inside; parts shorter than the tolerance are omitted.
+/// The parts of the segment a–b inside a polygon, as parameter intervals in increasing order. Parts that run along an
+/// edge, within the tolerance, do not count as inside; parts shorter than the tolerance are omitted.
 /// \param polygon clockwise or counter-clockwise; may be concave
 /// \param tolerance [m]
 /// \pre the polygon does not cross itself.

@@ -29,8 +29,8 @@ struct RunHealth {
 /// Solver diagnostics of a run; none if no stage has ended.
 std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records);
 
-/// The whole summary.
-/// \param stageSeconds wall-clock time [s] by stage, shown in a column of its own; empty: no such column.
+/// The complete summary of a run.
+/// \param stageSeconds wall-clock time [s] of each stage, shown in an extra column; empty: the column is omitted.
 std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds);
 
 }  // namespace keyblock::cli

@@ -28,7 +28,7 @@ struct BoltPattern {
 /// opening where an arc is represented by a polygon, whose edges deviate from the tangent of the arc by up to 5.7°.
 inline constexpr double leastAngleFromWall = 10.0, greatestAngleFromWall = 170.0;
 
-/// The first problem that prevents `layOut`; none if the pattern is valid. NaN and infinity are reported as problems.
+/// The first problem that makes the pattern invalid; none if it is valid. NaN and infinity are reported as problems.
 std::optional<ShapeProblem> boltPatternProblem(const BoltPattern& pattern);
 
 struct PatternBolt {
@@ -37,13 +37,13 @@ struct PatternBolt {
     double fromBeginning = 0.0;  // distance of the head from the start of the pattern along the true wall [m]
 };
 
-/// Number of bolts that `layOut` would return, to be checked before it is called.
+/// Number of bolts that `layOut` would return. Check this number before calling `layOut`.
 /// \pre boltPatternProblem(pattern) is none.
 double boltCount(const TunnelProfile& profile, const BoltPattern& pattern);
 
-/// The bolts, in order along the wall in the direction `way`. A head at the end of the pattern is included, within 1e-9
-/// of the length of the whole wall. In a pattern all round the tunnel no head coincides with the first. Empty if the
-/// offset is longer than the pattern.
+/// The bolts, in order along the wall in the direction `way`. A bolt whose head lies at the end of the pattern, to
+/// within 1e-9 of the length of the whole wall, is included. In a pattern all round the tunnel, no other head
+/// coincides with the first. Empty if the offset is longer than the pattern.
 /// \pre boltPatternProblem(pattern) is none, and boltCount(profile, pattern) is reasonable.
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern);
 

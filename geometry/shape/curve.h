@@ -20,7 +20,8 @@ std::vector<Point> ellipsePoints(const Point& center, const Point& p, const Poin
                                  double sagitta);
 
 /// Points of a circular arc from a to b. The number of edges is limited as in `ellipsePoints`.
-/// \param bulge tangent of a quarter of the arc's angle; positive: to the right of a→b; 0: straight; 1: semicircle
+/// \param bulge tangent of a quarter of the angle subtended by the arc; positive: to the right of a→b; 0: straight; 1:
+/// semicircle
 /// \param sagitta [m] largest distance between an edge and the arc, > 0
 std::vector<Point> bulgePoints(const Point& a, const Point& b, double bulge, double sagitta);
 
@@ -32,11 +33,11 @@ struct Spline {
     std::vector<double> weights;  // one per control point, all > 0; empty: all 1
 };
 
-/// Message about the first problem that prevents `splinePoints`; empty if the spline is valid.
+/// Message about the first problem that makes the spline invalid; empty if it is valid.
 std::string splineProblem(const Spline& spline);
 
-/// Points of a spline. Every knot span is bisected until its middle and quarter points lie within the sagitta of the
-/// chord, at most twelve times. \param sagitta [m] \pre splineProblem(spline) is empty.
+/// Points of a spline. Every knot span is bisected, at most twelve times, until its middle and quarter points lie
+/// within `sagitta` of the chord. \param sagitta [m] \pre splineProblem(spline) is empty.
 std::vector<Point> splinePoints(const Spline& spline, double sagitta);
 
 }  // namespace keyblock

@@ -22,33 +22,33 @@
 
 namespace keyblock {
 
-/// Parameters of a joint set. Line n is at a distance of n spacings from the origin, on the left of the dip direction
-/// for n > 0. Trace 0 of line 0 is centred at the origin; a through-going trace is centred at the point of its line
-/// that is nearest to the origin. If the dip varies, each trace is rotated about its centre. The origin should
-/// therefore lie in or near the region if traces are through-going.
+/// Parameters of a joint set. Line n is n spacings away from the origin; for n > 0 it lies to the left of the dip
+/// direction. Trace 0 of line 0 is centred at the origin; a through-going trace is centred at the point on its line
+/// nearest to the origin. If the dip varies, each trace is rotated about its centre. The origin should therefore lie
+/// in or near the region if traces are through-going.
 struct JointSet {
     double dip = 0.0;  // [°], counter-clockwise from +x
     double dipDeviation = 0.0;  // standard deviation [°] of a normal distribution truncated at `scatterCut`
     Scatter spacing{1.0, 0.0};  // distance between lines, normal to them
     std::optional<Scatter> length;  // length of a trace; none: through-going, without bridges
     Scatter bridge;  // length of rock between two traces of a line
-    /// Offset of each line from the previous one, as a fraction of mean length + mean bridge. 0: traces side by side;
-    /// 0.5: as in a brick wall; none: random for each line.
+    /// Offset of each line from the previous one, as a fraction of mean length + mean bridge. 0: traces are side by
+    /// side; 0.5: traces are staggered as in a brick wall; none: the offset is random for each line.
     std::optional<double> stagger = 0.0;
     Point origin{0.0, 0.0};  // [m]
     std::uint64_t seed = 1;
 };
 
-/// Limits of a joint set, checked by `jointSetProblem`.
+/// Limits on the parameters of a joint set, checked by `jointSetProblem`.
 inline constexpr double largestDipDeviation = 25.0;  // [°]; three standard deviations are less than a right angle
 inline constexpr double largestDeviationRatio = 2.0;  // standard deviation / mean
 
-/// The first problem that prevents `jointTraces`; none if the set is valid. NaN and infinity are reported as problems.
+/// The first problem that makes the joint set invalid; none if it is valid. NaN and infinity are reported as problems.
 std::optional<ShapeProblem> jointSetProblem(const JointSet& set);
 
-/// Approximate number of lines and traces that must be generated to fill the bounding box of `region`: those in it, and
-/// if spacings or lengths are random, also those between it and the origin. In a concave region one trace can give
-/// several pieces.
+/// Approximate number of lines and traces that must be generated to fill the bounding box of `region`. If spacings or
+/// lengths are random, lines and traces between the box and the origin are included. In a concave region, one trace
+/// can give several pieces.
 /// \pre jointSetProblem(set) is none, and the region has at least one corner.
 double jointTraceEstimate(const JointSet& set, std::span<const Point> region);
 
@@ -58,7 +58,7 @@ struct JointTrace {
     std::int64_t number = 0;  // number of the trace on its line; 0 if it is through-going
 };
 
-/// The traces clipped to the closed region, sorted by line, number and position along the dip. A trace that is
+/// The traces clipped to the closed region, sorted by line, trace number and position along the dip. A trace that is
 /// interrupted by a concave part of the outline gives several pieces on the same line.
 /// \param tolerance [m], as in `clipped`
 /// \pre jointSetProblem(set) is none; the region does not cross itself; jointTraceEstimate(set, region) is reasonable.

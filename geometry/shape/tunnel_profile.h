@@ -53,8 +53,7 @@ using ProfileShape = std::variant<CircleShape, DShape, HorseshoeShape, ArchedSha
 /// wall would lose accuracy.
 inline constexpr double flattestArch = 1e-3;
 
-/// The first problem that prevents a shape from being a tunnel; none if it is valid. NaN and infinity are reported as
-/// problems.
+/// The first problem that makes the shape invalid; none if it is valid. NaN and infinity are reported as problems.
 std::optional<ShapeProblem> profileProblem(const ProfileShape& shape);
 
 /// Circular arc in counter-clockwise direction.
@@ -72,14 +71,14 @@ struct ProfilePiece {
     double begin = 0.0, length = 0.0;  // position and length along the wall [m]
 };
 
-/// The wall, counter-clockwise from its start: the bottom of a circle, the left end of the floor of the other shapes,
-/// or the first point of a polygon.
+/// The wall, counter-clockwise from its start, which is the bottom of a circle, the first point of a polygon, or the
+/// left end of the floor for all other shapes.
 struct TunnelProfile {
     std::vector<ProfilePiece> pieces;
     double length = 0.0;  // total length of the true wall [m]
 };
 
-/// Minimum and maximum number of polygon edges that represent a full circle, whatever the requested sagitta.
+/// Minimum and maximum number of polygon edges that represent a full circle, regardless of the requested sagitta.
 inline constexpr int leastEdgesOfCircle = 32;
 inline constexpr int mostEdgesOfCircle = 4096;
 
@@ -98,25 +97,26 @@ std::vector<Point> outline(const TunnelProfile& profile);
 
 // Positions are lengths [m] along the true wall, counter-clockwise from the start, modulo the length of the whole wall.
 
-/// Point on the true wall.
+/// Point at a position on the true wall.
 Point pointAtLength(const TunnelProfile& profile, double length);
 
-/// Point on the polygon. On an arc it is the point in line with the arc's centre and the point on the true wall.
+/// Point on the polygon at the same position. On an arc, it lies on the line from the arc's centre to the point on the
+/// true wall.
 Point outlinePointAtLength(const TunnelProfile& profile, double length);
 
-/// Unit normal of the true wall, pointing into the rock. At a corner, within 1e-9 of the whole length, it bisects the
-/// normals of the two sides.
+/// Unit normal of the true wall, pointing into the rock. At a corner, to within 1e-9 of the length of the whole wall,
+/// it bisects the angle between the normals of the two sides.
 Point normalAtLength(const TunnelProfile& profile, double length);
 
-/// Position on the true wall nearest to `p`, at least 0 and below the whole length; of equally near positions, the
-/// first.
+/// Position of the point on the true wall nearest to `p`: at least 0 and less than the length of the whole wall. If
+/// several points are equally near, the first position is returned.
 double lengthOfNearest(const TunnelProfile& profile, const Point& p);
 
 /// Direction along the wall in the drawn section (x to the right, y upward).
 enum class Way { CounterClockwise, Clockwise };
 
-/// Length [m] along the wall from one position to another in the direction `way`, below the whole length; 0 if the
-/// positions coincide within 1e-9 of the whole length.
+/// Length [m] along the wall from one position to another in the direction `way`, always less than the length of the
+/// whole wall; 0 if the positions coincide to within 1e-9 of that length.
 double lengthBetween(const TunnelProfile& profile, double from, double to, Way way);
 
 }  // namespace keyblock

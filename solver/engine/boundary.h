@@ -17,7 +17,7 @@ namespace keyblock {
 /// side and of shear waves along it.
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Rows of the point supports on the given sides whose blocks are present.
+/// Rows of the point supports that lie on the given sides and whose blocks are present.
 std::vector<std::size_t> supportsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
 /// Force carrier of the dashpots, which act in dynamic steps only.

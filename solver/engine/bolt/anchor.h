@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// Force–slip curve for the current stage, with the dynamic strength if that applies; null if the law has no curve.
+/// Force–slip curve for the current stage, with dynamic strength where applicable; null if the law has no curve.
 const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion);
 
 /// Sliding resistance of an anchored point under its last accepted normal force, per metre or per node [N/m or N].
@@ -22,7 +22,7 @@ double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double stre
 /// Force along the slot at which a bonded anchored point debonds [N]; none if the law has no strength.
 std::optional<double> bondStrength(const AnchorModel& anchor, const BoltNode& node, double strengthFactor);
 
-/// Adds the links of a node that is in rock: across the slot, then along it.
+/// Adds the links of a node that is in rock, first the link across the slot and then the one along it.
 void addAnchorLinks(BoltStep& step, int node);
 
 /// True if links of this kind belong to anchored points.
@@ -38,7 +38,8 @@ bool ofAnchor(LimitKind kind);
 /// Adds the limits of an anchored point that have not been released yet.
 void addAnchorLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int node, std::vector<Limit>& limits);
 
-/// False if releasing the limit does not change the force, because friction or the curve continues from it.
+/// False if releasing the limit does not change the force, because friction or the force–slip curve continues from the
+/// same force.
 bool anchorChangesForces(const AnchorModel& anchor, const Limit& limit);
 
 /// Releases a limit: the point slides with its residual strength, or fails completely.
@@ -56,9 +57,9 @@ struct AnchorNeighbour {
     const NodeBond& bond;
 };
 
-/// Initialises the bond of a node that enters a block. It is not bonded there, but carries the frictional force per
-/// metre of its neighbour, whose tributary length it partly takes over. The total force on the embedded length
-/// therefore does not depend on the positions of the nodes.
+/// Initialises the bond of a node that enters a block. The node is not bonded there; it carries the same frictional
+/// force per metre as its neighbour and takes over part of the neighbour's tributary length. The total force on the
+/// embedded length therefore does not depend on the positions of the nodes.
 /// \param neighbour the neighbouring node; null: none.
 void enterRock(const AnchorModel& anchor, const AnchorNeighbour* neighbour, NodeBond& bond);
 

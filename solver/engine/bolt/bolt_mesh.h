@@ -29,11 +29,12 @@ struct MeshRequest {
 /// proportion; there is still at least one element per joint.
 inline constexpr int mostElements = 4000;
 
-/// Nodes of `divisions` elements of equal length, from 0 to `length` [m].
+/// Node positions for `divisions` elements of equal length, from 0 to `length` [m].
 std::vector<double> equalNodes(double length, int divisions);
 
-/// Nodes of an automatic mesh, from 0 to the length [m]. Outside the refined zones the maximum element length increases
-/// by a fifth of the distance from them. A mirrored request gives the mirrored nodes, apart from round-off.
+/// Node positions of an automatic mesh, from 0 to the length of the bolt [m]. Outside the refined zones the maximum
+/// element length increases by a fifth of the distance from them. Apart from round-off, a mirrored request gives
+/// mirrored positions.
 std::vector<double> gradedNodes(const MeshRequest& request);
 
 }  // namespace keyblock

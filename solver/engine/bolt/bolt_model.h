@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Model of bolt `index` of the scene.
-/// \pre `model` already contains its blocks, and its `nodes` is the number of nodes of the previous bolts.
+/// \pre `model` already contains its blocks, and `model.nodes` is the total number of nodes of the preceding bolts.
 BoltModel boltModel(const Scene& scene, int index, const Model& model);
 
 }  // namespace keyblock

@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// Adds the links of the face plate: along the bolt, then across it.
+/// Adds the links of the face plate, first the link along the bolt and then the one across it.
 void addPlateLinks(BoltStep& step);
 
 /// True if links of this kind belong to face plates.
@@ -25,13 +25,13 @@ void acceptPlate(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& sol
 /// Adds the limit of the face plate unless the plate has been lost.
 void addPlateLimit(const BoltModel& bolt, const BoltMotion& motion, int owner, std::vector<Limit>& limits);
 
-/// Marks the face plate as lost; it carries no force any more.
+/// Marks the face plate as lost; it then no longer carries any force.
 void losePlate(BoltMotion& motion);
 
 /// Sets the zero points of the plate's springs to the current position of the head. A plate on excavated rock is lost.
 void fitPlate(const BoltModel& bolt, const State& state, BoltMotion& motion);
 
-/// Locks off all face plates that are being tensioned, at their pretension.
+/// Locks off, at their pretension, all face plates that are being tensioned.
 /// \pre the state is an accepted equilibrium.
 void lockOffPlates(const Model& model, State& state);
 

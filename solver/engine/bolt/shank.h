@@ -11,19 +11,19 @@
 
 namespace keyblock {
 
-/// Stress–strain curve of the steel for the current stage, with the dynamic strength if that applies; null for linear
+/// Stress–strain curve of the steel for the current stage, with dynamic strength where applicable; null for linear
 /// steel.
 const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion);
 
 /// Strains of an element at the current positions of its nodes (theory, "The shank").
 BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Stiffness of the bending spring for p1 of an element [N m/rad], and the plastic limit of the bending forces for p1
-/// and p2 at zero axial force [N m]; 0 if the bolt forms no hinges.
+/// Stiffness of an element's spring for the bending strain p1 [N m/rad], and plastic limit of the forces conjugate to
+/// p1 and p2 at zero axial force [N m]. The limit is 0 if the bolt forms no hinges.
 double bendStiffness(const BoltModel& bolt, int element);
 double hingeForce(const BoltModel& bolt, const BoltMotion& motion);
 
-/// Plastic limit of the bending forces under the element's last accepted axial force [N m].
+/// Plastic limit of the forces conjugate to p1 and p2 under the element's last accepted axial force [N m].
 double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int element);
 
 /// Utilisation of an element under its last accepted forces: `forces` is (N/N_p)² + (Q/Q_p)², and `withMoment` adds

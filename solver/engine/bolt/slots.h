@@ -20,7 +20,7 @@ std::vector<Slot> slotsAlong(const Model& model, const Point& farEnd, const Poin
 std::vector<double> jointPlaces(const Model& model, const std::vector<Slot>& slots, double length);
 
 /// Block at distance `s` [m] along the bolt; −1 in a gap, on a joint or outside the rock. On an edge between cells of
-/// one block, the first of them.
+/// one block, the first of these cells.
 int startBlockOf(const Model& model, const std::vector<Slot>& slots, double s);
 
 }  // namespace keyblock

@@ -47,13 +47,13 @@ struct StoredEnergy {
 struct Carrier {
     const char* name = "";
 
-    /// Adds its links to a step whose bodies and loads are complete.
+    /// Adds the carrier's links to a step whose bodies and loads are complete.
     void (*addLinks)(const StepInput& input, StepProblem& problem) = nullptr;
 
     /// True if the carrier accepts links of this kind.
     bool (*ownsLink)(LinkKind kind) = nullptr;
 
-    /// Stores force and history of one of its links in the state, before the bodies are moved.
+    /// Stores the force and history of one of the carrier's links in the state. Called before the bodies are moved.
     void (*accept)(const Model& model, State& state, const SolvedLink& solved) = nullptr;
 
     /// Called after the bodies have been moved. Shifts the zero point of a link that slipped or yielded so that it
@@ -63,7 +63,7 @@ struct Carrier {
     /// Called once at the end of an accepted step, after all links.
     void (*finish)(State& state) = nullptr;
 
-    /// Adds those of its limits that have not been released yet, in the order in which ties are broken.
+    /// Adds the carrier's limits that have not been released yet, in the order in which ties are broken.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
     /// True if the carrier releases limits of this kind.
@@ -72,7 +72,8 @@ struct Carrier {
     /// True if releasing the limit changes forces, so that equilibrium must be found again.
     bool (*changesForces)(const Model& model, const Limit& limit) = nullptr;
 
-    /// Releases one of its limits. \return the resulting events, with forces and slip just before the release.
+    /// Releases one of the carrier's limits. \return the resulting events, with forces and slip just before the
+    /// release.
     std::vector<Event> (*release)(const Model& model, State& state, const Limit& limit) = nullptr;
 
     /// Adds the forces that blocks about to be excavated exert on the remaining blocks and bolts.
@@ -80,7 +81,7 @@ struct Carrier {
     void (*addWallForces)(const Model& model, const State& state, const std::vector<char>& excavated,
                           std::vector<WallForce>& walls) = nullptr;
 
-    /// Adds its elastic energy at the current positions of the bodies [J].
+    /// Adds the carrier's elastic energy at the current positions of the bodies [J].
     void (*addStoredEnergy)(const Model& model, const State& state, StoredEnergy& energy) = nullptr;
 };
 
@@ -88,10 +89,10 @@ struct Carrier {
 /// not slipped.
 bool reachesLimit(const Law& law, double force);
 
-/// Step without the matrices of the bodies, to which links can be added for evaluation.
+/// A step problem without body matrices, to which links can be added so that they can be evaluated.
 StepProblem stepForLinks(const Model& model);
 
-/// Adds the elastic energies of the links in their current state to `sum`, one after the other. \return the result [J].
+/// Adds the elastic energies of the links in their current state to `sum`, one after the other. \return the total [J].
 double addLinkEnergy(const StepProblem& problem, double sum);
 
 }  // namespace keyblock

@@ -19,7 +19,7 @@ struct Limit {
     double ratio = 0.0;  // load over strength
 };
 
-/// True if both are the same limit of the same part, whatever their ratios.
+/// True if both are the same limit of the same part, regardless of their ratios.
 inline bool sameLimit(const Limit& a, const Limit& b) {
     return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
 }
