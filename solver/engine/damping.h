@@ -11,8 +11,8 @@
 
 namespace keyblock {
 
-/// Energy dissipated by the damping of bodies over the displacement `d` of a step [J]. That of shanks and glue is
-/// accounted for by the laws of their links.
+/// Energy dissipated by the damping of bodies over the displacement `d` of a step [J]. The damping of shanks and glue
+/// is accounted for by the laws of their links.
 double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d);
 
 /// Damping of a dynamic step, added to its matrices, loads and links. It damps the links of the preceding carriers.

@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-/// Ratio of the stiffness of the springs at an edge's midpoint to that of the rock between the cells' centroids.
+/// Stiffness of the springs at an edge's midpoint, as a multiple of the stiffness of the rock between the cells'
+/// centroids.
 inline constexpr double glueMultiple = 1000.0;
 
 /// Glue along one edge.
@@ -23,8 +24,8 @@ GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& ed
 void addGlueLinks(const Model& model, const State& state, StepProblem& problem);
 
 /// Adds the links of all glued edges for a dynamic step with an expected displacement `path` (six rows per block).
-/// Directions and lever arms are those after a fraction `share` of the path. Strains are exact at its end and linear
-/// in the deviation from it.
+/// Directions and lever arms are evaluated after a fraction `share` of the path. Strains are exact at the end of the
+/// path and linear in the deviation from that end.
 void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
                       StepProblem& problem);
 
@@ -32,8 +33,8 @@ void addGlueLinksOver(const Model& model, const State& state, const Eigen::Vecto
 /// (six rows per block); zero for blocks without cells.
 Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time);
 
-/// True if the linearised glue forces agree, within a tolerance, with those at the exact positions of the cells after
-/// displacement `d`.
+/// True if the linearised glue forces agree, within a tolerance, with the glue forces at the exact positions of the
+/// cells after displacement `d`.
 /// \param from the positions at the start of the step.
 bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
                const Eigen::VectorXd& d);

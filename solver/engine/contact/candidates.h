@@ -75,7 +75,7 @@ struct CandidateSearch {
 /// Contact with the same corner and edge in a sorted list; null if there is none.
 const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact);
 
-/// Part of a sorted list with the contacts between two blocks.
+/// The part of a sorted list that contains the contacts between two blocks.
 std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b);
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.
@@ -86,7 +86,7 @@ struct ContactPlace {
     explicit ContactPlace(const Contact& c)
         : pair(of(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB))), corner(of(c.blockA, c.corner)), edge(c.edge) {}
 
-    /// Combines two non-negative numbers into one key; the first takes precedence.
+    /// Combines two non-negative numbers into one sort key; the first number takes precedence.
     static std::uint64_t of(int first, int second) {
         return (static_cast<std::uint64_t>(first) << 32) + static_cast<std::uint64_t>(second);
     }
@@ -96,7 +96,7 @@ struct ContactPlace {
 
 inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlace(x) < ContactPlace(y); }
 
-/// Straight run of the outline that starts at entry `turn` of the block's list `turns`.
+/// The straight run of the outline that starts at the corner given by entry `turn` of the block's list `turns`.
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn);
 
 /// Sine of 3°, the angle up to which two directions are considered parallel.

@@ -10,17 +10,18 @@
 
 namespace keyblock {
 
-/// Governing joint material of a contact: the weaker of its faces' materials, that is the one with less friction or, if
-/// friction is equal, with less cohesion. Of the corner's block, the face that lies along the edge is used, or both
-/// faces at the corner if neither does. Intact rock applies only to faces that met in the original scene (`first`);
-/// otherwise the block's own joint material is used instead.
+/// Governing joint material of a contact: the weaker of its faces' materials, i.e. the material with the lower
+/// friction or, if friction is equal, the lower cohesion. On the corner's block, the face that lies along the edge is
+/// considered, or both faces at the corner if neither lies along it. Intact rock applies only to faces that met in the
+/// original scene (`first`); otherwise the block's own joint material is used instead.
 /// \return a row of Model::joints.
 int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
 /// Row of State::openings of the joint or joint set to which both the edge and a face at the corner belong; −1: none.
 int openingBetween(const Model& model, const Contact& contact);
 
-/// Prescribed opening of the contact's joint [m]: that of its material plus that of its named joint or joint set.
+/// Prescribed opening of the contact's joint [m]: the opening of its material plus the opening of its named joint or
+/// joint set.
 double openingOf(const std::vector<double>& openings, const Contact& contact);
 
 /// Largest joint opening applied to any contact so far [m]; the search for contacts must reach further by this amount.

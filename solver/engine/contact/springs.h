@@ -23,8 +23,8 @@ double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& contac
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 double slipOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// True if the contact uses multipliers and needs no penetration to carry force. This excludes joints with a stiffness
-/// of their own and ends of joined bonded faces, which deform according to their stiffness.
+/// True if the contact uses multipliers and needs no penetration to carry force. This excludes joints for which a
+/// stiffness is specified and the ends of joined bonded faces, because these deform according to their stiffness.
 bool isAugmented(const Model& model, const Contact& contact);
 
 /// Spring stiffnesses of a contact [N/m].
@@ -33,14 +33,15 @@ struct ContactSprings {
 };
 
 /// Spring stiffnesses of a contact. The normal stiffness is penalty ratio · E · thickness, with the smaller E of the
-/// two blocks, and the shear stiffness is the shear ratio times that. If faces meet and their joint material has a
-/// stiffness, that stiffness times the contact's length and the thickness is used instead.
+/// two blocks, and the shear stiffness is the shear ratio times the normal stiffness. If faces meet and a stiffness is
+/// specified for their joint material, the spring stiffness is instead the joint stiffness times the contact's length
+/// and the thickness.
 ContactSprings contactSprings(const Model& model, const Contact& contact);
 
 /// Gap and slip at which the normal and the shear spring of a contact carry no force [m].
 std::pair<double, double> zeroPoints(const Contact& contact, const ContactSprings& springs);
 
-/// Tangent of the current friction angle, which is the residual one after the first slip.
+/// Tangent of the current friction angle, which is the residual angle after the first slip.
 double frictionOf(const Model& model, const Contact& contact);
 
 /// Set zero points or multipliers so that the contact carries the given force at the current block positions.

@@ -25,7 +25,7 @@ struct Backbone {
     double lastStrain = 0.0;  // strain of the last point
 
     /// Curve through the given (strain, force) points, with both coordinates scaled.
-    /// \pre at least the origin and one point with positive strain and force.
+    /// \pre `curve` contains at least the origin and one point with positive strain and force.
     static Backbone of(const std::vector<std::pair<double, double>>& curve, double strainScale = 1.0,
                        double forceScale = 1.0);
 

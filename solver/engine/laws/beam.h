@@ -28,16 +28,17 @@ struct BeamSection {
     double density = 0.0;  // [kg/m³]
 };
 
-/// Parameter b of the modified beam; 0 if the element has no shear deformation.
+/// Parameter b of the modified beam element; 0 if the element has no shear deformation.
 double shearModifier(const BeamSection& section, double length, bool shears);
 
-/// Stiffness matrix in local axes, order u1, w1, θ1, u2, w2, θ2 [N/m, N, N m].
+/// Stiffness matrix in local axes for the unknowns u1, w1, θ1, u2, w2, θ2 [N/m, N, N m].
 Eigen::Matrix<double, 6, 6> beamStiffness(const BeamSection& section, double length, bool shears);
 
 /// Translational mass lumped at each end: half of ρ·A·L [kg].
 double lumpedMass(const BeamSection& section, double length);
 
-/// Small positive rotational inertia of each end for dynamics, from half the mass and a quarter of the length [kg m²].
+/// Small positive rotational inertia of each end for dynamics, calculated from half the mass and a quarter of the
+/// length of the element [kg m²].
 double lumpedInertia(const BeamSection& section, double length);
 
 /// Positions of an element's ends, and their rotations relative to the straight unloaded element.
@@ -64,7 +65,8 @@ struct BeamForces {
     double shear = 0.0;  // shear force on the far side of a section, positive to the left of the axis [N]
 };
 
-/// End moments and shear force from the forces conjugate to p1 and p2 [N m] and the length [m].
+/// Calculates the end moments and the shear force from the forces conjugate to p1 and p2 [N m] and the element length
+/// [m].
 BeamForces beamForces(double force1, double force2, double length);
 
 }  // namespace keyblock

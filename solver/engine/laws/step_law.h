@@ -18,8 +18,8 @@ struct StepRule {
     double end = 1.0;  // for Blend: weight of the end relative to the start for a linear law, from ½ to 1
 };
 
-/// Force of the law at the start of the step. For friction it follows from the offset alone, because the limit may have
-/// decreased since.
+/// Force of the law at the start of the step. For friction, the force follows from the offset alone, because the limit
+/// may have decreased in the meantime.
 inline double carriedForce(const Law& law, double before) {
     return law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
 }
@@ -40,7 +40,7 @@ inline LawResponse respondOverStep(const Law& law, double before, double after, 
 /// work of friction or plastic flow (theory, "Energies").
 double lawLoss(const Law& law, double before, double after, const StepRule& rule);
 
-/// Start of a strain path. The force is given because that of a rigid law does not follow from the strain.
+/// Start of a strain path. The force is stored because, for a rigid law, it does not follow from the strain.
 struct PathStart {
     double strain = 0.0;
     double force = 0.0;  // not multiplied by `Law::share`
@@ -48,7 +48,7 @@ struct PathStart {
 };
 
 /// Work of a law between two equilibria, along a linear strain path on which the friction limit changes linearly from
-/// that of the start to that of the law.
+/// its value at the start to the limit of the law.
 struct PathWork {
     double slipForce = 0.0;  // mean force while sliding; the force at the end if it did not slide
     double surplus = 0.0;  // trapezoidal work of the forces at both ends minus stored and dissipated energy [J]

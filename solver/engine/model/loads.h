@@ -19,7 +19,7 @@ struct PointForce {
     Point force{0.0, 0.0};  // force over the full thickness [N]
 };
 
-/// Pressure on part of an edge, which remains normal to the edge as the block rotates.
+/// Pressure on part of an edge. It remains normal to the edge as the block rotates.
 struct EdgePressure {
     int block = -1, edge = -1;
     double from = 0.0, to = 1.0;  // start and end of the loaded part, as fractions of the edge
@@ -42,7 +42,7 @@ struct WallForce {
     bool ofSupport = false;  // exerted by a released support
 };
 
-/// Dashpot that acts against the velocity of a point of a block.
+/// Dashpot that resists the motion of a point of a block.
 struct Dashpot {
     int block = -1;
     Point place{0.0, 0.0};  // position relative to the centroid, in the block's initial frame [m]
@@ -58,7 +58,7 @@ struct Loads {
     std::vector<Dashpot> dashpots;  // in dynamic steps only
 };
 
-/// Magnitude of all loads at one moment: factors, and displacements since the start of the run.
+/// Magnitudes of all loads at one point in time: load factors, and displacements since the start of the run.
 struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
@@ -74,10 +74,10 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share);
 /// Largest change of a prescribed displacement or joint opening between two load points [m].
 double longestDrive(const LoadPoint& a, const LoadPoint& b);
 
-/// True if the loads at both points are equal, whatever their times.
+/// True if the loads at both points are equal, regardless of their times.
 bool isSameLoad(const LoadPoint& a, const LoadPoint& b);
 
-/// An individual force due to a load other than weight.
+/// A single force due to a load other than self-weight.
 struct SingleLoad {
     ForceSource source = ForceSource::Load;  // load, wall or support
     int block = -1;  // −1: acts on a bolt node
@@ -87,7 +87,7 @@ struct SingleLoad {
     Vector6 onUnknowns = Vector6::Zero();  // generalised force on the block's unknowns
 };
 
-/// The point forces, pressures and wall forces as individual forces.
+/// The point forces, pressures and wall forces as single forces.
 /// \param move the expected displacement of the blocks over the step, which determines directions and lever arms.
 std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                     const StepMove& move);

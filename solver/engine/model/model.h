@@ -170,7 +170,7 @@ struct Model {
 /// Initial positions of a block's corners [m].
 std::vector<Point> startCorners(const BlockModel& block);
 
-/// Rows of Model::joints for faces without a joint material of the scene, and for intact rock (the last row).
+/// Rows of Model::joints for faces without a joint material from the scene and, as the last row, for intact rock.
 inline int builtInRow(const Model& model) { return static_cast<int>(model.joints.size()) - 2; }
 inline int intactRow(const Model& model) { return static_cast<int>(model.joints.size()) - 1; }
 

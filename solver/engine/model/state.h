@@ -28,7 +28,8 @@ struct BlockMotion {
     bool operator==(const BlockMotion&) const = default;
 };
 
-/// Data of a contact that is joined with the one at the other end of a bonded face of a cell (contact/bonded_face.h).
+/// Data of a contact that is joined with the contact at the other end of a bonded face of a cell
+/// (contact/bonded_face.h).
 struct BondedFace {
     int toward = -1;  // corner of block A at the other end of its edge; −1: not joined, the contact acts at its corner
     double inward = 0.0;  // position between the two corners at which the contact acts, as a fraction

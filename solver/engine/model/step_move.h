@@ -11,19 +11,19 @@
 
 namespace keyblock {
 
-/// Prediction of the displacements over a step before it is solved, and the moment of the step at which forces act.
+/// Prediction of the displacements over a step before it is solved, and the time within the step at which forces act.
 struct StepMove {
     double dt = 0.0;  // time step [s]; 0: forces act at the positions at the start of the step
     double share = 0.5;  // fraction of the step at which forces act
     const Eigen::VectorXd* path = nullptr;  // displacement of every unknown over the step; null: unknown
 };
 
-/// Expected displacement of a block over the step: that of the path or, if there is none, a rigid-body displacement at
-/// the current velocity. Strain rates are not used, because they may oscillate from step to step. Zero for a fixed
-/// block.
+/// Expected displacement of a block over the step: its displacement along the path or, if there is no path, a
+/// rigid-body displacement at the current velocity. Strain rates are not used, because they may oscillate from step to
+/// step. Zero for a fixed block.
 Vector6 expectedMove(const Model& model, const State& state, int block, const StepMove& move);
 
-/// Expected position of the block at the moment of the step at which forces act.
+/// Expected position of the block at the time within the step at which forces act.
 BlockMotion onTheWay(const Model& model, const State& state, int block, const StepMove& move);
 
 /// Displacement of a material point over a step, t·d + beyond, for the displacement d of its block.

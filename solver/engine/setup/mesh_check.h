@@ -12,13 +12,13 @@
 
 namespace keyblock {
 
-/// Warnings about bolt meshes (theory, "Divisions"). There is a warning for
+/// Warnings about bolt meshes (theory, "Divisions"). A warning is issued for
 /// - an anchor at a given position whose node lies on a joint, in a gap or outside the rock, where it carries no force;
 /// - elements at a joint that are longer than 0.3 times the transfer length of the bond, with the resulting errors in a
 ///   pull test;
 /// - a bond given per node on a bolt with automatic divisions, because its strength depends on the number of nodes;
-/// - given divisions, unless the scene is a pull test, with a node on a joint or with elements at a joint that are
-///   longer than an eighth of the bending length of a dowel.
+/// - user-defined divisions with a node on a joint, or with elements at a joint that are longer than an eighth of the
+///   bending length of a dowel, unless the scene is a pull test.
 /// \pre the scene has no errors.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

@@ -18,7 +18,8 @@ struct SingleForce {
     int part = -1;  // contact of the step, glued edge of the model, or bolt node among all nodes; −1: none of these
 };
 
-/// Forces in a state at rest, including the reactions of blocks with prescribed unknowns, at their centroids.
+/// Forces in a state at rest, including the reactions of blocks with prescribed unknowns, which act at the centroids
+/// of these blocks.
 std::vector<SingleForce> forcesAtRest(const Model& model, const State& state, const Loads& loads, const LoadPoint& at);
 
 /// Forces at the start of a dynamic stage. The inertia force is minus the sum of all other forces.

@@ -19,7 +19,7 @@ struct DynamicSettings {
     Damping damping{};
 };
 
-/// Values carried over from the previous steps to the next one.
+/// Values carried over from previous steps to the next step.
 struct DynamicPace {
     double dt = 0.0;  // next time step to try [s]; 0: the maximum
     double lastMove = 0.0;  // largest displacement in the previous step [m]
@@ -38,7 +38,7 @@ public:
     /// accelerations if it uses them.
     StepEnding begin(State& state);
 
-    /// Makes one accepted step from `time`, no further than `end`, and advances `time`.
+    /// Makes one accepted step from `time` that does not go beyond `end`, and advances `time`.
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:

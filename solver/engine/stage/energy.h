@@ -23,7 +23,8 @@ Energy energyOf(const Model& model, const State& state);
 double accountedEnergy(const Energy& e);
 double accountedEnergy(const Model& model, const State& state);
 
-/// Largest energy term, or a minimum at the level of round-off; the reference for errors of the energy balance [J].
+/// Reference for errors of the energy balance [J]: the largest energy term, but at least a minimum at the level of
+/// round-off.
 double largestEnergy(const Model& model, const State& state, const Energy& e);
 
 }  // namespace keyblock

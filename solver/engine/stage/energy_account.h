@@ -12,19 +12,19 @@
 
 namespace keyblock {
 
-/// Accounts for a dynamic step before it is accepted: work of loads and prescribed motions, energy that the time scheme
-/// dissipates in laws and blocks, and damping.
+/// Adds the energies of a dynamic step to the ledger before the step is accepted: the work of loads and prescribed
+/// motions, the energy that the time scheme dissipates in laws and blocks, and the energy dissipated by damping.
 /// \param external the generalised loads of the step [N]; \param d the displacement over the step.
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options);
 
-/// Energy account of a search for equilibrium, from the state in which it began.
+/// Energy account of a search for equilibrium, from the state in which the search began.
 class StaticAccount {
 public:
     StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Adds the energies of the path from the start to `end`, under the loads `at`, to the ledger of `end`. Called before
-    /// `end` is accepted.
+    /// Adds the energies of the path from the start to `end`, under the loads `at`, to the ledger of `end`. Called
+    /// before `end` is accepted.
     /// \param moved the sum of the displacements along the path.
     /// \param problem the step built at `end`, with which it will be accepted; receives the mean slip forces.
     void add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;

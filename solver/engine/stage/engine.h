@@ -56,7 +56,7 @@ public:
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
-/// Releases a limit and reports the resulting events, each with the state before it.
+/// Releases a limit and reports the resulting events, each with the state just before the event.
 /// \param cause the number of the event that caused the limit to be exceeded; −1: the load.
 /// \return the number of the last event.
 long releaseAndReport(const Model& model, State& state, const Limit& limit, double time, long cause,
@@ -72,14 +72,15 @@ struct StepNeeds {
     bool* sweepsFirst = nullptr;  // as in `SolveSettings`
 };
 
-/// Solves one step and adds it to the solver diagnostics. Stores the friction limits used in the state's contacts.
+/// Solves one step and adds it to the solver diagnostics. The friction limits used are stored in the contacts of the
+/// state.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs);
 
 /// √area of the smallest block [m].
 double smallestSize(const Model& model);
 
-/// Upper bound of the displacement of a block's corners, and largest displacement of a bolt node, due to the unknowns
-/// in `d` that are not prescribed [m].
+/// Upper bound on the displacement of a block's corners, and largest displacement of any bolt node, due to the
+/// unknowns in `d` that are not prescribed [m].
 double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block);
 double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d);
 

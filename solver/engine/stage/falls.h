@@ -17,7 +17,7 @@ namespace keyblock {
 class Falls {
 public:
     /// \param share the unbalanced force allowed on a block at rest, as a fraction of its weight.
-    /// \param smallest the area [m²] below which a block does not decide whether there is an equilibrium.
+    /// \param smallest the area [m²] below which a block is disregarded in deciding whether there is an equilibrium.
     Falls(const Model& model, const State& state, double share, double smallest);
 
     /// Records a pseudo-step of length `dt` [s].
@@ -28,15 +28,15 @@ public:
     /// True if a block has fallen without slowing down, and too far to be stopped by elastic deformation.
     bool falls(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// True if the last two pseudo-steps, which had different lengths, gave a block nearly the same acceleration.
+    /// True if a block had nearly the same acceleration in the last two pseudo-steps, which differed in length.
     bool sameWhateverTheStep(int block) const;
 
     /// Displacement of a block's centroid since the start, as a fraction of the size of the block or, for a cell, of
     /// the whole block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// True if a block is large enough to decide whether there is an equilibrium.
-    bool decides(int block) const { return !small_[block]; }
+    /// True if a block is large enough to be considered in deciding whether there is an equilibrium.
+    bool decides(int block) const { return !small_[static_cast<std::size_t>(block)]; }
 
     /// True if a block has moved by more than its size.
     bool hasLeft(const std::vector<BlockMotion>& blocks, int block) const { return moved(blocks, block) > 1.0; }
@@ -44,7 +44,8 @@ public:
     /// True if a block has moved noticeably and is still accelerating, as when other blocks have set it in motion.
     bool follows(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// Rows of the blocks that are too small to decide and that are falling or have moved by more than their size.
+    /// Rows of the blocks that are too small to be considered and that are falling or have moved by more than their
+    /// size.
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 
 private:

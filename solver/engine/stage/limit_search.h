@@ -16,14 +16,15 @@ namespace keyblock {
 /// Bracketing search for the fraction of an increment at which the first limit is reached.
 class LimitSearch {
 public:
-    /// \param low a fraction of the increment at which no limit is exceeded; \param high one at which some limit is.
+    /// \param low a fraction of the increment at which no limit is exceeded.
+    /// \param high a fraction at which a limit is exceeded.
     /// \param atLow, atHigh the limits at these fractions.
     LimitSearch(double low, std::vector<Limit> atLow, double high, std::vector<Limit> atHigh);
 
-    /// Next fraction to evaluate, between the two ends.
+    /// Next fraction to evaluate, between the two ends of the bracket.
     double next();
 
-    /// Stores the limits found at fraction `share`; `over` is true if one is exceeded.
+    /// Stores the limits found at fraction `share`; `over` is true if any of them is exceeded.
     void take(double share, std::vector<Limit> limits, bool over);
 
     double high() const { return high_.share; }

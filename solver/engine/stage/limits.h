@@ -22,8 +22,8 @@ std::vector<Limit> heldLimits(const Model& model, const State& state);
 /// below `least`.
 std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 
-/// True if releasing the limit changes forces, so that equilibrium must be found again. It does not for yielding, for a
-/// plastic hinge, or if friction or a force–slip curve continues from the current force.
+/// True if releasing the limit changes forces, so that equilibrium must be found again. Forces do not change when
+/// steel yields or a plastic hinge forms, or when friction or a force–slip curve continues from the current force.
 bool changesForces(const Model& model, const Limit& limit);
 
 /// Releases a limit. \return the resulting events, with forces and slip just before the release.

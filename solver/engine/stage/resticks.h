@@ -12,11 +12,11 @@
 
 namespace keyblock {
 
-/// Copy of the state if any anchored point slides and can re-stick; otherwise nothing.
+/// Copy of the state if any anchored point slides and can re-stick; otherwise none.
 std::optional<State> ifSliding(const State& state);
 
-/// Reports every anchored point that slides in `before` and sticks in `after`, in the order of bolts and nodes, with
-/// the state before.
+/// Reports every anchored point that slides in `before` and sticks in `after`, in the order of bolts and nodes. The
+/// state `before` is reported with each event.
 /// \param cause the number of the event that relieved the points; −1: the load.
 void reportResticks(const Model& model, const std::optional<State>& before, const State& after, double time,
                     long cause, StepObserver& observer);

@@ -14,7 +14,7 @@ namespace keyblock {
 void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d);
 
 /// Accepts a step: stores the forces and the new history of the links at displacement `d`, moves the bodies, and
-/// accounts for the energy dissipated by friction and plastic flow. Velocities are left to the caller.
+/// accounts for the energy dissipated by friction and plastic flow. The caller must update the velocities.
 void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

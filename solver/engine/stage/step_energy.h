@@ -21,7 +21,7 @@ struct StepEnergy {
     bool leavesMoreThan(double share) const;
 };
 
-/// Energy balance of a step; all zero if no contact carries compression, because there is no impact then.
+/// Energy balance of a step; all zero if no contact carries compression, because there is then no impact.
 /// \param before the state at the start of the step, before its contacts were found.
 /// \param after the accepted state.
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after);

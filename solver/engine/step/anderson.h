@@ -18,9 +18,10 @@ public:
     explicit AndersonMixing(int remembered);
 
     /// Records an iteration and sets `after` to the mixed iterate from which the next one should start.
-    /// \param change the change of the values in this iteration; \param after the values at its end.
+    /// \param change the change of the values in this iteration; \param after the values at the end of the iteration.
     /// \param linear any quantities that depend linearly on the values; they are combined with the same weights.
-    /// \return false, with nothing set, in the first iteration and when mixing restarts because the iteration diverged.
+    /// \return false in the first iteration and when mixing restarts because the iteration diverged; `after` and
+    /// `linear` are then unchanged.
     bool mix(const Eigen::VectorXd& change, std::vector<double>& after, Eigen::VectorXd& linear);
 
 private:

@@ -16,10 +16,10 @@ namespace keyblock {
 /// which must outlive it and must not change.
 class Balance {
 public:
-    /// \param passes the number of iterations made so far. Before the first, round-off of inertia and loads is allowed
-    /// for; after the first, no round-off; from the second on, round-off of inertia, loads and links.
-    /// \param tolerance the relative tolerance. From the second iteration on, round-off is estimated only if the trial
-    /// exceeds it.
+    /// \param passes the number of iterations made so far. If it is 0, the round-off of inertia and loads is allowed
+    /// for; if 1, no round-off; if 2 or more, the round-off of inertia, loads and links.
+    /// \param tolerance the relative tolerance. After two or more iterations, round-off is estimated only if the trial
+    /// exceeds this tolerance.
     Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance);
 
     /// Unbalanced force relative to the acting forces, for the bodies whose unbalanced force exceeds round-off.
@@ -32,7 +32,7 @@ public:
     /// exceeds the unbalanced force allowed for it in a step at rest.
     bool within(double tolerance) const;
 
-    /// Unbalanced force that is acceptable on a body [N].
+    /// Acceptable unbalanced force on a body [N].
     double slack(int body, double tolerance) const;
 
 private:

@@ -38,9 +38,9 @@ public:
     /// require.
     bool possible() const { return possible_; }
 
-    /// Sweeps from the forces of the previous call (in the first call, from the given ones), then solves for the
-    /// displacement under the contact states that follow from the forces. The friction limits are not updated to the
-    /// new displacement.
+    /// Sweeps from the forces of the previous call (in the first call, from the forces passed to the constructor),
+    /// then solves for the displacement under the contact states that follow from the forces. The friction limits are
+    /// not updated to the new displacement.
     /// \param from the trial evaluated last, from which the forces of bolt links are kept.
     /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// A link as contained in the factor.
+/// A link as it is contained in the matrix factor.
 struct FactoredLink {
     double weight = 0.0;  // [N/m]; 0: not in the factor
     int firstA = 0, firstB = 0;  // padded unknowns
@@ -31,11 +31,11 @@ public:
         std::size_t count() const { return add.size() + take.size(); }
     };
 
-    /// Matches the links of a new step with those in the factor.
+    /// Matches the links of a new step with the links in the factor.
     /// \return true if they are the same links in the same order.
     bool begin(const StepProblem& problem, const LinkRows& rows);
 
-    /// Changes that turn the factor into the one for these weights, one per link of the step [N/m].
+    /// Changes that update the factor to these weights, one weight per link of the step [N/m].
     Changes changesTo(const LinkRows& rows, std::span<const double> weights) const;
 
     /// Record that the changes from `changesTo` were applied to the factor, or that it was recomputed in full.

@@ -10,9 +10,10 @@
 
 namespace keyblock {
 
-/// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases there.
-/// \param coupled true to let friction limits follow their normal forces along the direction; on return they are those
-/// of the last length tried. If false, the limits stay fixed.
+/// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases at a step length
+/// of 1.
+/// \param coupled true to let friction limits follow their normal forces along the direction; on return, the limits
+/// are those for the last step length tried. If false, the limits stay fixed.
 /// \param rates the rates of change of the links' strains along `direction`.
 double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled);

@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// One system with its factor. Not thread-safe.
+/// A system of linear equations and the factorisation of its matrix. Not thread-safe.
 class LinearSystem {
 public:
     LinearSystem();
