@@ -20,10 +20,10 @@ public:
     /// \pre all coordinates are finite.
     explicit BoxGrid(std::vector<Box> boxes);
 
-    /// All pairs i < j of boxes that meet, sorted.
+    /// All pairs i < j of boxes that touch or overlap, sorted.
     std::vector<std::pair<int, int>> meetingPairs() const;
 
-    /// The boxes that meet `box`, sorted.
+    /// The indices of the boxes that touch or overlap `box`, sorted.
     std::vector<int> meeting(const Box& box) const;
 
     /// The number of boxes that `meeting` compares with `box`.

@@ -15,7 +15,8 @@ namespace keyblock {
 /// is accounted for by the laws of their links.
 double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d);
 
-/// Damping of a dynamic step, added to its matrices, loads and links. It damps the links of the preceding carriers.
+/// Force carrier of the damping, which is added to the matrices, loads and links of a dynamic step. It damps the links
+/// of the preceding carriers.
 extern const Carrier dampingCarrier;
 
 }  // namespace keyblock

@@ -24,7 +24,8 @@ int openingBetween(const Model& model, const Contact& contact);
 /// joint set.
 double openingOf(const std::vector<double>& openings, const Contact& contact);
 
-/// Largest joint opening applied to any contact so far [m]; the search for contacts must reach further by this amount.
+/// Largest joint opening applied to any contact so far [m]; the search margin for contacts must be increased by this
+/// amount.
 double widestOpening(const State& state);
 
 /// Gives newly found contacts in a dilated joint the joint's current opening, without creating contact forces.

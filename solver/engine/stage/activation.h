@@ -36,7 +36,8 @@ void removeBolt(const Model& model, State& state, int bolt);
 /// \return the forces that they exerted, to be kept as loads.
 std::vector<WallForce> releaseSupports(const Model& model, State& state, const std::vector<BoundarySide>& sides);
 
-/// Reactivates the released supports at their current positions with the forces that they had at release.
+/// Reactivates the released supports at their current positions with the forces that they carried when they were
+/// released.
 void restoreAllSupports(const Model& model, State& state);
 
 }  // namespace keyblock
