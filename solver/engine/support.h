@@ -30,7 +30,7 @@ WallForce releaseSupport(const Model& model, State& state, std::size_t support);
 /// Reactivates the released supports at their current positions with the forces that they had at release.
 void restoreSupports(const Model& model, State& state);
 
-/// Force carrier of the point supports.
+/// The point supports as a force carrier (see `Carrier`).
 extern const Carrier supportCarrier;
 
 }  // namespace keyblock

@@ -12,11 +12,12 @@
 
 namespace keyblock {
 
-/// One-line message that `path` cannot be written, with reason and remedy.
-/// \param systemError system error number (errno); 0 if there is none. \param reason additional explanation.
+/// One-line message stating that `path` cannot be written, with the reason and a remedy.
+/// \param systemError the system error number (errno); 0 if there is none.
+/// \param reason an additional explanation.
 std::string cannotWriteText(const std::filesystem::path& path, int systemError, const std::string& reason = {});
 
-/// Temporary name of a file or folder while it is written: `path` with `.part-` and the process number appended.
+/// Temporary name of a file or folder while it is being written: `path` with `.part-` and the process ID appended.
 std::filesystem::path partPath(const std::filesystem::path& path);
 
 /// Writes a file atomically, replacing an existing one. A device or a pipe is written to directly.

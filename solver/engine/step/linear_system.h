@@ -34,7 +34,7 @@ public:
     /// Number of unknowns; 0 before the first `analyse`.
     int size() const;
 
-    /// Index in `values()` of the entry (i, j), which is also that of (j, i); valid until the next `analyse`.
+    /// Index in `values()` of the entries (i, j) and (j, i), which share one value; valid until the next `analyse`.
     /// \pre the pattern contains the entry.
     int slot(int i, int j) const;
 
@@ -50,24 +50,24 @@ public:
     /// \throws std::bad_alloc if memory runs out.
     [[nodiscard]] int factor();
 
-    /// Update the factor to that of A + Σ c·cᵀ or A − Σ c·cᵀ; `values` are not changed. Each column costs a fraction of
-    /// the work of `factor`.
+    /// Turn the factor of A into the factor of A + Σ c·cᵀ or A − Σ c·cᵀ. The matrix values are not changed. Adding or
+    /// removing a column takes a fraction of the time that `factor` takes.
     /// \return false if the result is not positive definite; the factor is then invalid until the next `factor`.
     /// \pre `factor` returned −1, neither function has returned false since, and the pattern contains every product of
     ///      two entries of a column.
     [[nodiscard]] bool addRanks(std::span<const SparseColumn> columns);
     [[nodiscard]] bool takeRanks(std::span<const SparseColumn> columns);
 
-    /// Number of columns that can be added or removed for about half the work of `factor`.
+    /// Number of columns that can be added or removed in about half the time that `factor` takes.
     int worthwhileRanks() const;
 
     /// Solves A·x = rhs with the last factor, followed by `refinements` steps of iterative refinement.
-    /// \param rhs the right-hand side, n values. \param x the solution, n values; may be the same array as `rhs` only
-    ///        without refinements.
-    /// \pre `factor` returned −1; with refinements, neither the values nor the factor have changed since.
+    /// \param rhs the right-hand side, n values.
+    /// \param x the solution, n values; must be a different array from `rhs` unless `refinements` is 0.
+    /// \pre `factor` returned −1. Unless `refinements` is 0, the values and the factor have not changed since.
     void solve(std::span<const double> rhs, std::span<double> x, int refinements = 0);
 
-    /// Computes y = A·x with the current values. `x` and `y` are different arrays of n values.
+    /// Computes y = A·x with the current values. `x` and `y` must be different arrays of n values each.
     void multiply(std::span<const double> x, std::span<double> y) const;
 
     /// Number of entries of the factor, including stored zeros; a measure of memory and run time.

@@ -24,7 +24,7 @@ public:
 
     std::size_t count() const { return first_.size(); }
 
-    /// Strain gradients of link i for its two bodies, six entries each.
+    /// Strain gradients of link i: six entries for body A, then six for body B.
     const double* gradient(std::size_t i) const { return &gradients_[12 * i]; }
 
     /// Index of the first unknown of body A or B of link i.
@@ -74,7 +74,7 @@ private:
     std::vector<Pulls> pulls_;
 };
 
-/// Add padding zeros at the end of a vector over the unknowns, or remove them.
+/// Add or remove the padding zeros at the end of a vector with one entry per unknown.
 Eigen::VectorXd padded(const Eigen::VectorXd& x);
 Eigen::VectorXd unpadded(const Eigen::VectorXd& x);
 

@@ -17,11 +17,12 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
 /// Net force (external minus internal) on every unknown at `d`. For a prescribed unknown it is minus the reaction.
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Generalised contact forces on every unknown over the step, not multiplied by the time scheme's weight of contact
-/// forces.
+/// Generalised contact forces on every unknown over the step, before multiplication by the weight that the time scheme
+/// gives to contact forces.
 Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Reference force for residuals [N]: the largest of the sums of force magnitudes of each kind.
+/// Reference force for residuals [N]: the force magnitudes are summed for each kind of force, and the largest sum is
+/// returned.
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
 
 /// Norm of the residual over the free unknowns of all bodies [N].
@@ -30,7 +31,7 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net);
 /// Norm of the residual over the free unknowns of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
-/// Force [N] that arises if all positions are in error by `length` [m].
+/// Force error [N] caused by an error of `length` [m] in all positions.
 double placeNoise(const StepProblem& problem, double length);
 
 }  // namespace keyblock

@@ -25,7 +25,7 @@ namespace keyblock {
 
 class StepMatrix {
 public:
-    /// Begins a step. Pattern, ordering and factor of the previous step are kept if they are still valid.
+    /// Begins a step. The pattern, ordering and factor of the previous step are kept if they are still valid.
     void begin(const StepProblem& problem, const LinkRows& rows);
 
     /// Updates or recomputes the factor for these weights, one non-negative weight per link [N/m].
@@ -38,18 +38,21 @@ public:
         return current_ ? std::optional(links_.weight(link)) : std::nullopt;
     }
 
-    /// True if the factor is that of the current matrix, apart from round-off.
+    /// True if the factor matches the current matrix to within round-off.
     bool exact() const { return exact_; }
 
-    /// Forces the next `factor` to recompute in full, because this factor has become too inaccurate.
+    /// Makes the next call of `factor` recompute the factor in full. Used when the current factor has become too
+    /// inaccurate.
     void forget() { current_ = false; }
 
-    /// Product of the matrix for the last weights with `x` (both padded). Entries of prescribed unknowns are undefined.
+    /// Product of `x` and the matrix for the last weights; `x` and the result are padded. The entries of prescribed
+    /// unknowns are undefined.
     /// \param rates receives the links' strain increments due to `x`.
     Eigen::VectorXd product(const StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& x,
                             std::vector<double>& rates) const;
 
-    /// Displacement under `force` from the last factor (both padded); zero for prescribed unknowns.
+    /// Displacement under `force`, solved with the last factor; both vectors are padded. It is zero for prescribed
+    /// unknowns.
     /// \pre `factor` returned −1.
     Eigen::VectorXd solve(const Eigen::VectorXd& force, StepWork& work);
 

@@ -18,8 +18,8 @@ namespace keyblock {
 enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
                       Drag };
 
-/// Connection of one or two bodies: strain(D) = strain + shift + ga·D[a] + gb·D[b]. The gradients come last so that the
-/// data read by loops over the laws are contiguous.
+/// Link between two bodies, or acting on a single body: strain(D) = strain + shift + ga·D[a] + gb·D[b]. The gradients
+/// come last so that the data read by loops over the laws are contiguous.
 struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b is −1 if the link acts on one body only
@@ -32,7 +32,7 @@ struct Link {
     Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
 };
 
-/// Limit of a capped link that depends on the force F of another link. Neither the limit nor F is multiplied by
+/// Makes the limit of a capped link depend on the force F of another link. Neither the limit nor F is multiplied by
 /// `Law::share`.
 struct LimitPair {
     enum class Rule {
@@ -72,8 +72,8 @@ struct StepProblem {
 
 inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
 
-/// Rule by which the force of a link over the step is calculated. With generalized-α, contacts use the
-/// energy-conserving rule (theory, "Time").
+/// Rule for calculating the force of a link over the step. With generalized-α, contacts use the energy-conserving rule
+/// (theory, "Time").
 inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
     if (link.law.rigid) return {};  // the force at the end of the step, whatever it was at the start
     if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};

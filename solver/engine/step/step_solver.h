@@ -35,8 +35,9 @@ struct SolveReport {
 /// Solver for steps. It keeps the matrix pattern, the ordering and the factor from step to step.
 class StepSolver {
 public:
-    /// Solves the step from `d` or from zero displacement, whichever has the smaller residual, after inserting the
-    /// prescribed values. On return `d` is the displacement and `problem` has the friction limits that belong to it.
+    /// Solves the step. The solution starts from `d` or from zero displacement, whichever has the smaller residual once
+    /// the prescribed values have been inserted. On return, `d` is the solution, and `problem` contains the friction
+    /// limits for this displacement.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 

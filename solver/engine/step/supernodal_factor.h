@@ -25,7 +25,7 @@ public:
     int apply(const cholmod_sparse& matrix, cholmod_factor& factor);
 
 private:
-    /// Entry in a linked list of factored supernodes whose next update applies to the same supernode.
+    /// Entry in a linked list of the factored supernodes that are to update the same supernode next.
     struct Waiting {
         int next = -1;  // next supernode of the list; −1: last
         int done = 0;  // number of rows already used in updates

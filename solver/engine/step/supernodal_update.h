@@ -20,7 +20,7 @@ public:
     /// Stores the pattern of a factor. All later calls must use a factor with this pattern.
     void analyse(const cholmod_factor& factor);
 
-    /// Updates the factor L·Lᵀ of A to that of A + Σ c·cᵀ (`add`) or A − Σ c·cᵀ.
+    /// Turns the factor L·Lᵀ of A into the factor of A + Σ c·cᵀ (if `add` is true) or A − Σ c·cᵀ (if false).
     /// \param columns the vectors c, with rows in elimination order.
     /// \return false if the result is not positive definite; the factor is then invalid.
     /// \pre the pattern of the factor contains every product of two entries of a column.

@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// `width` columns starting at column `first`, with `height` rows, the first `width` of which are the diagonal block.
+/// `width` columns starting at column `first`, with `height` rows. The first `width` rows form the diagonal block.
 struct Supernode {
     double* values = nullptr;
     const int* rows = nullptr;  // row indices in elimination order

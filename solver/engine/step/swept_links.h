@@ -18,7 +18,7 @@ namespace keyblock {
 
 class SweptLinks {
 public:
-    /// Sums of the squared changes of the forces and of the squared forces over a sweep.
+    /// Sum of the squared force changes and sum of the squared forces over one sweep.
     struct Change {
         double changed = 0.0, forces = 0.0;
     };
@@ -26,34 +26,36 @@ public:
     /// Collects the links between blocks; links of bolt nodes and links without stiffness are left out.
     SweptLinks(StepProblem& problem, const LinkRows& rows);
 
-    /// True if the stiffness of every block alone is positive definite, as the sweeps require.
+    /// True if each block's own stiffness matrix is positive definite, as the sweeps require.
     bool possible() const { return possible_; }
 
     std::size_t count() const { return rows_.size(); }
 
-    /// Index in the problem of the link in row n.
+    /// Index in `StepProblem::links` of the link in row n.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
     /// Sets the force on the blocks from everything except the swept links (padded): loads, prescribed displacements
     /// and bolt links. It is constant during the sweeps.
     void hold(const Eigen::VectorXd& outer);
 
-    /// Limits the forces [N], one per row and not multiplied by `Law::share`, to the range of their laws.
+    /// Limits each force [N] to the range that its law allows. There is one force per row, not multiplied by
+    /// `Law::share`.
     void clip(std::vector<double>& forces);
 
-    /// Like `clip`, and also moves the blocks to equilibrium under the forces.
+    /// Like `clip`, but also moves the blocks to equilibrium under the forces.
     void clipAndPlace(std::vector<double>& forces);
 
-    /// Like `clip`, and also moves the blocks by the effect of the changed forces.
-    /// \pre the blocks are in equilibrium under the forces as passed in.
+    /// Like `clip`, but also adds the displacements caused by the force changes to the block displacements.
+    /// \pre the blocks are in equilibrium under the forces passed in.
     void clipPlaced(std::vector<double>& forces);
 
-    /// Scaled displacements of the blocks (padded); they depend linearly on the forces.
+    /// Displacements of the blocks in the scaled unknowns (padded); they depend linearly on the forces.
     Eigen::VectorXd& placed() { return moved_; }
 
-    /// Sets each force in turn to the value of its law, allowing for the displacement of the blocks under the force.
-    /// \param changes receives the changes of the forces, one per row.
-    /// \pre the blocks are in equilibrium under the forces as passed in.
+    /// Sets each force in turn to the value given by its law, taking into account the block displacements that the
+    /// force itself causes.
+    /// \param changes receives the force changes, one per row.
+    /// \pre the blocks are in equilibrium under the forces passed in.
     Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
 
     /// Friction limit of row n under these forces [N].

@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// Strains and forces at a trial displacement. Vectors over the unknowns are padded (`LinkRows`).
+/// Strains and forces at a trial displacement. Vectors with one entry per unknown are padded (see `LinkRows`).
 struct Trial {
     Eigen::VectorXd d;  // displacement
     std::vector<double> strains;  // per link, at `d`
@@ -23,11 +23,11 @@ struct Trial {
 Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d);
 
 /// Moves a trial by `length` times `direction` and evaluates it there.
-/// \param rates the strain rates of the links along `direction`.
+/// \param rates the links' strain increments due to `direction`.
 void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
              const std::vector<double>& rates, double length, Trial& trial);
 
-/// Product of the bodies' stiffness (inertia and elasticity) with `x`; both padded.
+/// Product of the bodies' stiffness (inertia and elasticity) and `x`; `x` and the result are padded.
 Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x);
 
 }  // namespace keyblock

@@ -11,17 +11,19 @@ namespace keyblock {
 
 struct StepProblem;
 
-/// Velocity and acceleration of every unknown; accelerations are zero if the state has none.
+/// Velocities and accelerations of all unknowns; the accelerations are zero if the state has none.
 Eigen::VectorXd velocitiesOf(const Model& model, const State& state);
 Eigen::VectorXd accelerationsOf(const Model& model, const State& state);
 
-/// Diagonal mass matrix of a bolt node for the model's thickness: mass, mass and rotational inertia [kg, kg, kg m²].
+/// Diagonal of the mass matrix of a bolt node, for the model's thickness: mass, mass and rotational inertia [kg, kg, kg
+/// m²].
 Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node);
 
-/// Accelerations M⁻¹·force for the unknowns that are free in `problem`; zero for the others and if there is no mass.
+/// Accelerations M⁻¹·force of the unknowns that are free in `problem`; zero for prescribed unknowns and for unknowns
+/// without mass.
 Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force);
 
-/// Product M·x of the mass matrix of all bodies with `x`.
+/// Product M·x of the mass matrix of all bodies and `x`.
 Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x);
 
 /// Kinetic energy of blocks and bolts [J].

@@ -34,8 +34,8 @@ struct StepOptions {
     const Eigen::VectorXd* cellPath = nullptr;  // displacement for the glue of cells; null: predicted from velocities
 };
 
-/// Linear combination d·D + v·(velocity) + a·(acceleration), where D is the displacement over the step, and velocity
-/// and acceleration are those at its start.
+/// Linear combination d·D + v·(velocity) + a·(acceleration), where D is the displacement over the step. The velocity
+/// and acceleration are taken at the start of the step.
 struct Combination {
     double d = 0.0, v = 0.0, a = 0.0;
 };
@@ -54,10 +54,10 @@ struct SchemeFactors {
 };
 SchemeFactors factorsOf(const StepOptions& options);
 
-/// Expected displacement over a step, and the moment of the step at which forces act.
+/// Expected displacement over a step, and the fraction of the step at which forces act.
 StepMove moveOf(const StepOptions& options);
 
-/// True for schemes that dissipate kinetic energy in addition to the work of their forces.
+/// True for schemes with numerical dissipation: they reduce kinetic energy beyond the work done by forces.
 bool losesMotion(Inertia inertia);
 
 /// True for schemes that carry accelerations from step to step.
@@ -67,8 +67,8 @@ bool carriesAccelerations(Inertia inertia);
 Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
                              const Eigen::VectorXd& d);
 
-/// Sets the velocities of all bodies at the end of the step, and accounts for the work that accelerates driven bodies
-/// and for the energy dissipated by the scheme. A prescribed unknown gets the velocity D/Δt.
+/// Sets the velocities of all bodies at the end of the step. The work that accelerates driven bodies and the energy
+/// dissipated by the scheme are added to the energy balance. A prescribed unknown gets the velocity D/Δt.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options);
 

@@ -20,8 +20,9 @@ public:
 
     void separatedBy(char separator) { separator_ = separator; }
 
-    /// Reads a cell. \param place description of the column for messages.
-    /// \return false if the cell is not a number, which is reported.
+    /// Reads a cell.
+    /// \param place the description of the column for messages.
+    /// \return false if the cell is not a number; this is reported as an error.
     bool read(const CsvCell& cell, const std::string& place, double& value);
 
 private:
@@ -37,7 +38,7 @@ private:
 /// Description of a column for messages, as in `column 3 ('load_kN')`. \param index counted from 0.
 std::string csvColumnText(std::size_t index, const std::string& title);
 
-/// Error for a row with more or fewer cells than the header has; its message is empty if the numbers are equal.
+/// Error for a row with more or fewer cells than the header has; its message is empty if the counts match.
 Problem csvRowProblem(const CsvRow& row, std::size_t columns, char separator);
 
 }  // namespace keyblock

@@ -8,11 +8,11 @@
 
 namespace keyblock {
 
-/// Reads a text that consists of one number with a magnitude below 1e15; a leading `+` is allowed.
+/// Reads text that consists of a single number with a magnitude below 1e15; a leading `+` is allowed.
 /// \return false if the text is not such a number.
 bool readReal(std::string_view text, double& number);
 
-/// Reads a text that consists of one integer; a leading `+` is allowed.
+/// Reads text that consists of a single integer; a leading `+` is allowed.
 /// \return false if the text is not an integer.
 bool readInteger(std::string_view text, int& number);
 

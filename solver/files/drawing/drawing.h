@@ -53,7 +53,7 @@ struct NotTaken {
     std::string why;
 };
 
-/// An INSERT entity whose block was inserted.
+/// An INSERT entity whose block contents were added to the drawing.
 struct InsertedBlock {
     std::string kind;
     std::string layer;
