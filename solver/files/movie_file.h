@@ -28,7 +28,7 @@ public:
     /// \throws CannotWrite if ffmpeg is not installed or the file cannot be written.
     MovieFile(const std::filesystem::path& path, MovieFormat format, const MovieShape& shape,
               const std::atomic<bool>& stop);
-    /// Ends ffmpeg and removes an unfinished file.
+    /// Terminates ffmpeg and deletes the file if it is unfinished.
     ~MovieFile();
     MovieFile(const MovieFile&) = delete;
     MovieFile& operator=(const MovieFile&) = delete;

@@ -14,8 +14,9 @@ namespace keyblock {
 /// A folder with a temporary name until it is complete; removed if it is never completed.
 class PartFolder {
 public:
-    /// Creates the temporary folder. \param folder final path.
-    /// \param isOurs whether an export of this kind contains a file or folder with the given name.
+    /// Creates the temporary folder.
+    /// \param folder the final path.
+    /// \param isOurs returns true for the names of files and folders that belong to an export of this kind.
     /// \throws CannotWrite if an existing folder contains anything else, or the folder cannot be created.
     PartFolder(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isOurs);
     ~PartFolder();

@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// A file is missing, of the wrong kind or damaged; `what()` gives its path, the reason and a remedy.
+/// Thrown if a file is missing, of the wrong kind or damaged; `what()` gives its path, the reason and a remedy.
 struct CannotRead : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

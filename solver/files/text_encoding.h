@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// Converts a text to UTF-8, unless it is valid UTF-8 already. Undefined bytes and control characters become `?`.
-/// \param codePage encoding of the text, as named in DXF files (`ANSI_1252`); empty: Windows 1252.
+/// Converts text to UTF-8 unless it is already valid UTF-8. Undefined bytes and control characters become `?`.
+/// \param codePage the encoding of the text, as named in DXF files (`ANSI_1252`); empty: Windows 1252.
 std::string asUtf8(std::string_view text, std::string_view codePage);
 
 /// Replaces the DXF escape sequences `\U+XXXX` by the characters that they represent.

@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// A file or store cannot be written; `what()` gives its path, the reason and a remedy.
+/// Thrown if a file or store cannot be written; `what()` gives its path, the reason and a remedy.
 struct CannotWrite : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -42,10 +42,10 @@ struct DxfContent {
     std::vector<Problem> problems;
 };
 
-/// Sorts groups into the contents of a drawing, which refer to `groups`.
+/// Sorts groups into the contents of a drawing. The result refers to `groups`.
 DxfContent sortDxf(const DxfGroups& groups);
 
-/// Converts ASCII letters to lower case, because names of layers and blocks are not case-sensitive.
+/// Converts ASCII letters to lower case; used for the names of layers and blocks, which are not case-sensitive.
 std::string lowerCase(std::string_view text);
 
 /// Value of the first group with this code; empty if there is none.

@@ -24,11 +24,12 @@ struct DxfGroups {
     std::vector<Problem> problems;
 };
 
-/// Splits the text of a DXF file into groups, which refer to the text. It is an error if the text is a binary file, a
-/// binary DXF or a DWG, if a line is not a group code where one is expected, or if the file ends within its entities.
+/// Splits the text of a DXF file into groups, which refer to `text`. The result has an error if the file is binary
+/// (including binary DXF and DWG), if a line is not a group code where one is expected, or if the file ends within its
+/// entities.
 DxfGroups readDxfGroups(std::string_view text);
 
-/// Whether groups with this code have a real number as value (coordinates, lengths, angles).
+/// Whether groups with this code have a real number as their value (coordinates, lengths, angles).
 bool isRealCode(int code);
 
 }  // namespace keyblock

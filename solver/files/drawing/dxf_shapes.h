@@ -57,8 +57,8 @@ struct DxfShapeReading {
     double height = 0.0;  // z coordinate of largest magnitude; z coordinates are otherwise ignored
 };
 
-/// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; for other kinds the result has a reason
-/// but no shape.
+/// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; for other entities the result contains a
+/// reason instead of a shape.
 DxfShapeReading readDxfShape(const DxfEntity& entity);
 
 }  // namespace keyblock

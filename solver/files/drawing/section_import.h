@@ -37,7 +37,7 @@ struct ImportedLayer {
     std::string source;  // source of the role for messages: given, guessed from its name, frozen or off, …
 };
 
-/// Number of entities of one kind on one layer that were imported as the same thing.
+/// Number of entities of one kind on one layer that became scene objects of the same type.
 struct ImportRow {
     std::string kind;
     std::string layer;
@@ -56,7 +56,8 @@ struct Import {
     std::vector<Problem> problems;
 };
 
-/// Makes a scene from a drawing. \param name file name.
+/// Makes a scene from a drawing.
+/// \param name the file name of the drawing.
 Import importSection(Drawing drawing, const ImportSettings& settings, const std::string& name);
 
 /// Makes a scene from a file, which is read as a list of joints or bolts if its name ends in `.csv`, otherwise as a DXF

@@ -19,7 +19,7 @@ void addError(std::vector<Problem>& problems, const JsonNode& node, std::string 
               std::string remedy);
 
 /// Reads the value of a field that is not an Object, List or Map. If it cannot be read, the reason is added to
-/// `problems` and there is no value.
+/// `problems` and no value is returned.
 std::optional<FieldValue> valueFromJson(const Field& field, const JsonNode& node, const std::string& pointer,
                                         std::vector<Problem>& problems);
 

@@ -11,10 +11,11 @@
 
 namespace keyblock {
 
-/// The text of a tree, ending with a line feed. Numbers have as few digits as are needed to read them back exactly.
+/// The tree as JSON text that ends with a line feed. Numbers have as few digits as are needed to read them back
+/// exactly.
 std::string jsonText(const JsonNode& node);
 
-/// The text of a tree on one line, without a line feed. Numbers are written as in `jsonText`.
+/// The tree as JSON text on one line, without a line feed. Numbers are written as in `jsonText`.
 std::string jsonLine(const JsonNode& node);
 
 }  // namespace keyblock

@@ -34,7 +34,7 @@ struct JsonMember {
     JsonNode node;
 };
 
-/// Result of reading a JSON text.
+/// Result of reading JSON text.
 struct JsonReading {
     std::optional<JsonNode> root;  // none if the text is not JSON or exceeds a limit
     std::vector<Problem> problems;  // a syntax error, a limit exceeded, or duplicate keys (the first of each is kept)
@@ -45,7 +45,7 @@ inline constexpr int deepestJson = 64;  // nesting depth of lists and objects
 inline constexpr std::size_t longestJson = std::size_t{64} << 20;  // bytes
 inline constexpr std::size_t mostJsonValues = 2'000'000;
 
-/// Reads a JSON text in UTF-8. Problems have a line and a pointer, but no file.
+/// Reads JSON text encoded in UTF-8. Problems have a line and a pointer, but no file.
 JsonReading readJson(std::string_view text);
 
 /// The member with this key; null if there is none or if `node` is not an object.
@@ -57,7 +57,7 @@ const JsonNode* nodeAt(const JsonNode& root, std::string_view pointer);
 /// Line of the value at a JSON pointer, or of the last existing value along it.
 int lineAt(const JsonNode& root, std::string_view pointer);
 
-/// `null`, `true or false`, `a number`, `a text`, `a list` or `an object`.
+/// Type of a value as named in messages: `null`, `true or false`, `a number`, `a text`, `a list` or `an object`.
 std::string_view kindText(const JsonNode& node);
 
 /// Whether the text is valid UTF-8.

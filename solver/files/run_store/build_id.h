@@ -8,7 +8,8 @@
 
 namespace keyblock {
 
-/// Hexadecimal digits that are the same in all programs of a build and change whenever the code of the solver changes.
+/// Build identifier in hexadecimal digits. It is the same in all programs of a build and changes whenever the code of
+/// the solver changes.
 std::string_view buildId();
 
 }  // namespace keyblock

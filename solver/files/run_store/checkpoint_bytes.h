@@ -15,7 +15,7 @@ namespace keyblock {
 
 std::string bytesOf(const Checkpoint& checkpoint);
 
-/// The checkpoint read from bytes; none if there are too few or too many of them.
+/// Decodes a checkpoint; none if there are too few or too many bytes.
 std::optional<Checkpoint> checkpointOf(std::string_view bytes);
 
 /// Name of this build: the program version followed by the build id.

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace members_detail {
 
-/// Converts to any type; used only in checks of whether an expression compiles.
+/// Converts to any type; used only to check whether an expression compiles.
 struct Anything {
     template <typename T>
     operator T() const;
@@ -36,8 +36,8 @@ inline constexpr std::size_t memberCount = members_detail::count<std::remove_cv_
 #define KEYBLOCK_MEMBERS(n, ...) \
     if constexpr (memberCount<T> == n) { auto& [__VA_ARGS__] = value; return std::tie(__VA_ARGS__); } else
 
-/// References to all members of `value`, in order. A type with more than 28 members does not compile; group them in
-/// structs, or add a line below.
+/// References to all members of `value`, in order. A type with more than 28 members does not compile: group its members
+/// in structs, or add a line below.
 template <typename T>
     requires std::is_aggregate_v<T>
 auto membersOf(T& value) {

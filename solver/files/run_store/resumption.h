@@ -19,9 +19,9 @@ struct Resumption {
     std::optional<Checkpoint> checkpoint;  // state from which to resume; none: start from the beginning
 };
 
-/// How to resume the run of `scene` in a store. If the store does not exist or is an empty file, the run starts from
-/// the beginning.
-/// \throws CannotRead if the file is not a run store or is damaged, or if it is from another scene or build.
+/// Determines how to resume the run of `scene` from a store. If the store does not exist or is an empty file, the run
+/// starts from the beginning.
+/// \throws CannotRead if the file is not a run store or is damaged, or if it belongs to another scene or build.
 Resumption resumptionOf(const std::filesystem::path& store, const Scene& scene);
 
 }  // namespace keyblock

@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// A checkpoint as stored, not decoded.
+/// A checkpoint as stored, before decoding.
 struct StoredCheckpoint {
     std::string build;  // name of the build that wrote it
     std::string hash;  // SHA-256 of the state
@@ -40,7 +40,7 @@ public:
     const std::vector<FrameHead>& frames() const override { return heads_; }
     Frame frame(std::size_t index) const override;
 
-    /// The latest checkpoint; none before the first one is stored and after the run is complete.
+    /// The latest checkpoint; none if no checkpoint has been stored yet or the run is complete.
     std::optional<StoredCheckpoint> checkpoint() const;
 
     const std::string& sceneHash() const { return sceneHash_; }  // SHA-256 of the scene's text, 64 hexadecimal digits

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// The file exists already and may not be replaced.
+/// Thrown if the file already exists and must not be replaced.
 struct StoreExists : CannotWrite {
     using CannotWrite::CannotWrite;
 };
@@ -27,7 +27,8 @@ void requireFreeStore(const std::filesystem::path& path, bool overwrite);
 
 class RunStoreWriter : public Sink {
 public:
-    /// Writes nothing yet; `begin` creates the store, which then contains the scene. \throws StoreExists
+    /// Writes nothing yet; `begin` creates the store and writes the scene to it.
+    /// \throws StoreExists
     RunStoreWriter(std::filesystem::path path, bool overwrite);
     /// Closes the store if it is still open; results that can no longer be written are lost.
     ~RunStoreWriter() override;
@@ -43,8 +44,8 @@ public:
     void history(const HistoryRow& row) override;
     void frame(const Frame& frame) override;
     void stageEnds(const StageResult& result) override;
-    /// Stores the checkpoint and all results since the last transaction in one transaction. The checkpoint is deleted
-    /// when the run is complete.
+    /// Stores the checkpoint, together with all results received since the last transaction, in a single transaction.
+    /// The checkpoint is deleted when the run is complete.
     void checkpoint(const Checkpoint& checkpoint) override;
 
     /// Commits all results received since the last frame and closes the store, which leaves a single file.

@@ -10,8 +10,9 @@
 
 namespace keyblock {
 
-/// Holds the lock for its lifetime. \pre the file exists, and all SQLite connections to it are closed before this
-/// object is destroyed, because closing the file releases SQLite's own locks.
+/// Holds the lock on a store for the lifetime of this object.
+/// \pre the file exists, and all SQLite connections to it are closed before this object is destroyed, because closing
+///      the file releases SQLite's own locks.
 class StoreLock {
 public:
     /// Takes the lock. \throws CannotWrite if another run holds it, or if the file cannot be opened.

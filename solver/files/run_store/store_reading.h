@@ -17,7 +17,7 @@ namespace keyblock::store_reading {
 
 inline constexpr const char* damaged = "the store is damaged; run the scene again with --overwrite";
 
-/// Throws CannotRead with path and reason.
+/// Throws CannotRead with the path and the reason.
 [[noreturn]] void cannotRead(const std::filesystem::path& path, const std::string& reason);
 
 /// Opens a store and begins a read transaction. \throws CannotRead if the file is missing or is not a database.
@@ -46,7 +46,7 @@ Value known(const std::optional<Value>& value) {
     return *value;
 }
 
-/// Columns of the table `frames` that `headAt` reads, in this order.
+/// Columns of the table `frames` in the order in which `headAt` reads them.
 inline constexpr const char* headColumns =
     "stage, time, step, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, "
     "balance_error, events";

@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// One text per file, in the order of the file names.
+/// Contents of each file, in the order of the file names.
 std::span<const std::string_view> boltLibraryTexts();
 
 }  // namespace keyblock

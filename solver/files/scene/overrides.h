@@ -15,7 +15,7 @@
 namespace keyblock {
 
 /// Sets each `path=value` in the tree, in order. Missing objects along the path are created; list items must exist. The
-/// value set by override i gets the line number −1 − i, from which `nameOrigins` finds the option.
+/// value set by override i gets the line number −1 − i, by which `nameOrigins` identifies the option.
 void applyOverrides(JsonNode& root, std::span<const std::string> overrides, std::vector<Problem>& problems);
 
 /// Sets the origin of every problem: the file, or the option that set the value.

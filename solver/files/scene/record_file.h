@@ -29,7 +29,7 @@ struct RecordReading {
 /// allowed.
 RecordReading readRecordText(std::string_view text);
 
-/// Reads a record from a file, like `readRecordText`. A file that cannot be opened is reported as a fault.
+/// Reads a record from a file, like `readRecordText`. If the file cannot be opened, this is reported as a fault.
 RecordReading readRecordFile(const std::filesystem::path& path);
 
 }  // namespace keyblock

@@ -19,9 +19,9 @@ struct ReferenceReading {
     std::vector<Problem> problems;  // if any is an error, the table must not be used
 };
 
-/// Reads a header and rows from a text. Empty cells and `nan` are missing values. Columns without numbers are left out
+/// Reads a header and rows from text. Empty cells and `nan` are missing values. Columns without numbers are left out
 /// with a warning, except the column `stage`.
-/// \param file file name for messages.
+/// \param file the file name for messages.
 ReferenceReading readReferenceTable(std::string_view text, const std::filesystem::path& file);
 
 /// Reads a header and rows from a file, like `readReferenceTable`.

@@ -24,30 +24,33 @@ struct SceneReading {
     std::vector<Problem> problems;  // sorted by line, including warnings and notes
 };
 
-/// Reads and checks a scene file. A file that cannot be opened is reported as a problem.
+/// Reads and checks a scene file. If the file cannot be opened, this is reported as a problem.
 /// \param overrides strings of the form `path=value`, applied before the scene is read and checked. The path is written
-/// as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer; the value is JSON or plain text.
+///        as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer; the value is JSON or plain text.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// Reads and checks a scene text. \param name file name for messages. \param overrides as in `readSceneFile`.
-/// \param folder folder to which paths of record files are relative; empty: the current folder.
+/// Reads and checks a scene given as text.
+/// \param name the file name for messages.
+/// \param overrides as in `readSceneFile`.
+/// \param folder the folder to which paths of record files are relative; empty: the current folder.
 SceneReading readSceneText(std::string_view text, const std::string& name,
                            std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});
 
-/// The scene as a JSON text with all required keys and all keys whose values differ from the default, in the order in
+/// The scene as JSON text with all required keys and all keys whose values differ from their defaults, in the order in
 /// which the format lists them. Numbers have as few digits as are needed to read them back exactly. Built-in bolt types
 /// and records stored in files are left out.
 std::string sceneText(const Scene& scene);
 
-/// The scene as a JSON text like `sceneText`, but with all records included, so that the same scene is read back from
-/// it in any folder.
+/// The scene as JSON text, as from `sceneText`, but with all records included, so that reading it gives the same scene
+/// in any folder.
 std::string wholeSceneText(const Scene& scene);
 
 /// SHA-256 of `wholeSceneText` in hexadecimal digits: scenes with the same hash are equal, including their records.
 std::string sceneHash(const Scene& scene);
 
-/// Writes the scene atomically. A reference to a record file is kept if it leads to the same record from the new
-/// location; otherwise the record is included in the scene file. \throws CannotWrite
+/// Writes the scene atomically. A reference to a record file is kept if it still refers to the same record from the new
+/// location; otherwise the record is included in the scene file.
+/// \throws CannotWrite
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace keyblock

@@ -16,9 +16,10 @@
 namespace keyblock {
 
 /// Makes a scene from a tree of the newest version.
-/// \param folder folder to which paths of record files are relative.
-/// \param unread receives the errors of values that cannot be read; these values keep their defaults.
-/// \param lost receives the errors of references to missing bolt types or record files; the scene keeps the references.
+/// \param folder the folder to which paths of record files are relative.
+/// \param unread receives an error for each value that cannot be read; such values keep their defaults.
+/// \param lost receives an error for each reference to a missing bolt type or record file; the scene keeps the
+///        references.
 Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost);
 

@@ -26,7 +26,8 @@ struct SceneRescue {
 
 /// Reads as much of a scene as possible. Values that cannot be read keep their defaults; objects without a valid value
 /// for a required field are left out.
-/// \param name file name for messages. \param folder folder to which paths of record files are relative.
+/// \param name the file name for messages.
+/// \param folder the folder to which paths of record files are relative.
 SceneRescue rescueSceneText(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder = {});
 

@@ -16,8 +16,8 @@ namespace keyblock {
 inline constexpr int sceneVersion = 1;
 
 /// Upgrades the tree to `sceneVersion`. A tree without a version key is assumed to have the newest version.
-/// \return false if the tree is not a scene or has an unknown version; this is reported in `problems`, and the tree
-/// cannot be checked any further.
+/// \return false if the tree is not a scene or has an unknown version; this is then reported in `problems`, and the
+///         tree cannot be checked further.
 bool bringUpToDate(JsonNode& root, std::vector<Problem>& problems);
 
 }  // namespace keyblock

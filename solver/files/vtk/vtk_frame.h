@@ -20,10 +20,10 @@ class VtkBlocks {
 public:
     explicit VtkBlocks(const RunSource& run);
 
-    /// Corners as points, with their displacement since the start or the last `zero_displacements`, and blocks as
-    /// polygons with the values of the block. A concave block is divided into triangles, because VTK fills
-    /// polygons with few corners as if they were convex. Blocks have no holes, because cutting divides the rock
-    /// around an opening. Inactive blocks are left out.
+    /// The corners as points with their displacements since the start or the last `zero_displacements`, and the blocks
+    /// as polygons with their values. A concave block is divided into triangles, because VTK fills polygons with few
+    /// corners as if they were convex. Blocks have no holes, because cutting divides the rock around an opening.
+    /// Inactive blocks are left out.
     /// \pre frames are requested in order of time, including the last frame of every stage.
     VtkPolyData data(const Frame& frame);
 

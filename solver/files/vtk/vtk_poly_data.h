@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// Values for all points or all cells, `components` values for each.
+/// Values at all points or in all cells, with `components` values for each.
 struct VtkArray {
     std::string name;
     std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::string>> values;
@@ -44,7 +44,7 @@ struct VtkPolyData {
 /// \pre each array has `components` values for each point or cell.
 void writeVtkPolyData(const VtkPolyData& data, std::ostream& out);
 
-/// A file of a time series.
+/// One file of a time series.
 struct VtkMoment {
     double time = 0.0;
     std::string file;  // path relative to the folder of the `.pvd` file
