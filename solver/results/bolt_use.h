@@ -45,7 +45,7 @@ struct BoltUse {
     std::array<std::optional<double>, boltStrengths.size()> use;
     std::optional<BoltStrength> governs;  // highest utilisation; none if the bolt has no strength or carried no force
     /// Blocks that the bolt crossed when it was installed, in order from its head, except the block that contains its
-    /// far end. Each is given by its first row.
+    /// far end. Each block is given by its first row.
     std::vector<int> holds;
 
     double highest() const { return governs ? *use[static_cast<std::size_t>(*governs)] : 0.0; }

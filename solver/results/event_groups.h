@@ -28,12 +28,11 @@ public:
     /// Number of events of a kind, as in "984 joint slips"; empty if there were none.
     std::string kindText(EventKind kind) const;
 
-    /// Numbers of events of the kinds in a group, as in "984 joint slips, 208 joint openings"; empty if there were
-    /// none.
+    /// Number of events of each kind in a group, as in "984 joint slips, 208 joint openings"; empty if there were none.
     std::string kindsText(EventGroup group) const;
 
-    /// Numbers of all events, as in "1192 slip (984 joint slips, 208 joint openings), 56 debondings"; empty if there
-    /// were no events.
+    /// Number of events of each group and kind, as in "1192 slip (984 joint slips, 208 joint openings), 56 debondings";
+    /// empty if there were no events.
     std::string text() const;
 
     bool operator==(const EventCounts&) const = default;

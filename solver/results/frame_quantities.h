@@ -50,7 +50,7 @@ const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows,
     return nullptr;
 }
 
-/// The row for a bolt quantity; null if frames do not store it along the bolt.
+/// The frame quantity that corresponds to a bolt quantity; null if frames do not store values of it along the bolt.
 const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity);
 
 /// The description of a bolt quantity. \pre `quantity` is an element of `boltQuantities()`.
@@ -80,7 +80,7 @@ const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);
 /// Extreme value of a block quantity from the start of the run to a frame; null if none is recorded for this quantity.
 const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity);
 
-/// Contact force on block a [N]; block b gets the opposite force.
+/// Contact force on block a [N]; the force on block b is equal and opposite.
 Point forceOnA(const ContactFrame& contact);
 
 /// In-plane principal stresses, compression positive.

@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// Names of all values of a history row: first those of the monitors, as printed in the history table, then one for
-/// each quantity of every bolt.
+/// Names of the columns of the history: first the columns of the monitors, as printed in the history table, then one
+/// column for each quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
 /// Index of the history column that records the values of this subject.

@@ -20,16 +20,18 @@ struct Measurement {
     std::string problem;
 };
 
-/// Reads a quantity from the history and the events. The result is a problem if there is no history row, no number in
-/// the column or no such event. \param history rows in order of time, with the columns of `historyColumns(scene)`.
+/// Reads a quantity from the history and the events. The result is a problem if the history has no rows, if its column
+/// has no number, or if there is no such event.
+/// \param history rows in order of time, with the columns of `historyColumns(scene)`.
 Measurement measure(const Quantity& quantity, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// Reads a quantity given as text, as in `quantities`; the result is a problem if the text does not fit the scene.
+/// Reads a quantity given as text in the form used in `quantities`; the result is a problem if the text does not match
+/// the scene.
 Measurement measure(std::string_view text, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// Reads a quantity given as text, as in `quantities`, from a run kept in memory.
+/// Reads a quantity given as text in the form used in `quantities` from a run kept in memory.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
 /// Comparison of a value computed by the run with the value that the scene expects.

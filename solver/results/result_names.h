@@ -38,8 +38,8 @@ std::string boltName(const Scene& scene, int bolt);
 /// Name of a stage; empty if the index does not refer to a stage.
 std::string stageName(const Scene& scene, int stage);
 
-/// Name of a stage preceded by the word "stage", which is not repeated: "stage release", "stage 4"; empty if the index
-/// does not refer to a stage.
+/// Name of a stage, preceded by the word "stage" unless the name already begins with it: "stage release", "stage 4";
+/// empty if the index does not refer to a stage.
 std::string stageTitle(const Scene& scene, int stage);
 
 }  // namespace keyblock

@@ -16,7 +16,8 @@
 
 namespace keyblock {
 
-/// A failure or other discrete event. Forces are those just before the event; −1 marks an index that does not apply.
+/// A failure or other discrete event. The forces are given for the state just before the event. An index of −1 means
+/// that the index does not apply.
 struct Event {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1
@@ -70,8 +71,8 @@ struct ContactFrame {
 
 enum class NodeState { Bonded, Slipping, Gone, Free };
 
-/// A node of a bolt. Axial and shear force are those of the element that starts at the node;
-/// at the last node they are the normal and shear force of the face plate.
+/// A node of a bolt. The axial and shear forces are taken from the element that starts at the node. At the last node,
+/// they are the normal and shear forces on the face plate.
 struct BoltNodeFrame {
     double s = 0.0;  // [m] from the far end, unstrained
     Point position{0.0, 0.0};  // [m]
@@ -101,7 +102,7 @@ struct BoltFrame {
     bool operator==(const BoltFrame&) const = default;
 };
 
-/// Value of largest magnitude over the run, with its location on the bolt and its time.
+/// The value of largest magnitude over the run, with the location on the bolt and the time at which it occurred.
 struct BoltPeak {
     double value = 0.0;  // signed
     double at = 0.0;  // [m] from the far end, unstrained
@@ -111,9 +112,9 @@ struct BoltPeak {
     bool operator==(const BoltPeak&) const = default;
 };
 
-/// Largest forces in a bolt over the run so far, from every accepted step and the state before every failure. They are
-/// per bolt, not per metre of section. A utilisation is 1 if the strength is reached, and negative if the bolt has no
-/// such strength.
+/// Largest forces in a bolt over the run so far, from every accepted step and the state before every failure. The
+/// forces are per bolt, not per metre of section. A utilisation is 1 when the strength is reached, and negative if the
+/// bolt has no such strength.
 struct BoltExtremes {
     BoltPeak axialForce, shearForce;  // [N] located at the middle of the element
     BoltPeak moment;  // [N m] located at the node
@@ -123,7 +124,7 @@ struct BoltExtremes {
     bool operator==(const BoltExtremes&) const = default;
 };
 
-/// Extreme value of a block quantity over the run so far, with its time.
+/// Extreme value of a block quantity over the run so far, with the time at which it occurred.
 struct BlockPeak {
     double value = 0.0;
     int stage = -1;  // −1: none yet
@@ -173,7 +174,7 @@ struct BodyForce {
     bool operator==(const BodyForce&) const = default;
 };
 
-/// Contact force over a dynamic step, for the block positions at the middle of the step.
+/// Contact force that acts over a dynamic step, for the block positions at the middle of the step.
 struct ContactStepForce {
     Point force{0.0, 0.0};  // force on block a; the opposite force acts on block b [N]
     double momentA = 0.0, momentB = 0.0;  // moments on blocks a and b about their centroids [N m]
@@ -218,10 +219,10 @@ struct HistoryRow {
     bool operator==(const HistoryRow&) const = default;
 };
 
-/// Names of the history's columns: first those of the monitors, as printed in the history
-/// table (e.g. `crown_ux_m`, `B1_force_N`), then one for each quantity of every bolt
-/// (`BOLT.axial_force`, … in the order of `BoltQuantity`): the signed value of largest
-/// magnitude along the bolt, from which `quantities` are read.
+/// Names of the columns of the history. The columns of the monitors come first, as printed in the history table (e.g.
+/// `crown_ux_m`, `B1_force_N`). Then there is one column for each quantity of every bolt (`BOLT.axial_force`, … in the
+/// order of `BoltQuantity`). It contains the signed value of largest magnitude along the bolt, from which `quantities`
+/// are read.
 struct HistoryColumns {
     std::vector<std::string> names;
     int monitorValues = 0;  // number of leading columns shown in the history table

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// Data of a frame that are available without loading it.
+/// Data of a frame that are available without loading the frame.
 struct FrameHead {
     int stage = 0;
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1

@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// Numbers of operations spent on solving; `workOf` combines them into one measure.
+/// Number of operations of each kind that the solver has performed; `workOf` combines them into one measure.
 struct StepWork {
     long factorizations = 0;  // factorisations made for a solve, in full or by rank updates
     long fullFactorizations = 0;

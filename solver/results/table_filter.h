@@ -22,14 +22,16 @@ struct TableFilter {
     std::optional<long> events{};  // of frames at one time, selects the one after this many events; null: the last
 };
 
-/// A filter read from texts, or an error message if they are not valid.
+/// A filter read from strings, or an error message if the strings are not valid.
 struct TableFilterReading {
     std::optional<TableFilter> filter;
     std::string problem;
 };
 
-/// Reads a filter from texts, each of which may be null.
-/// \param stage name of the stage. \param bolt name of the bolt. \param at `STAGE:TIME`, `last` or `all`.
+/// Reads a filter from strings, each of which may be null.
+/// \param stage the name of the stage.
+/// \param bolt the name of the bolt.
+/// \param at `STAGE:TIME`, `last` or `all`.
 TableFilterReading readTableFilter(const Scene& scene, const std::optional<std::string>& stage,
                                    const std::optional<std::string>& bolt, const std::optional<std::string>& at);
 
@@ -40,8 +42,9 @@ struct RowMoment {
 };
 
 /// Indices of the rows selected by the filter's stage and time. `When::At` selects the rows at the time nearest to the
-/// requested one. \param moments stage and time of each row, in order of time.
-/// \param byDefault selection used if `filter.when` is null.
+/// requested one.
+/// \param moments the stage and time of each row, in order of time.
+/// \param byDefault the selection used if `filter.when` is null.
 std::vector<std::size_t> selected(const std::vector<RowMoment>& moments, const TableFilter& filter, When byDefault);
 
 }  // namespace keyblock

@@ -27,7 +27,8 @@ std::optional<TableKind> tableKindOf(std::string_view word);
 bool hasBolts(TableKind kind);
 
 /// Index of the frame at the time given by the filter, by default the last frame of its stage or of the run. If several
-/// frames have the same time, the one with `filter.events` events is chosen, else the last. None if no frame matches.
+/// frames have this time, the frame with `filter.events` events is chosen or, if there is no such frame, the last. None
+/// if no frame matches the filter.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
 /// Writes a table: a header, then the rows. By default, tables made from frames (bolts, blocks, contacts, forces) show

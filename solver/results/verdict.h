@@ -33,11 +33,11 @@ struct StageWarning {
     std::string text;  // without a full stop
 };
 
-/// Warnings for all completed stages, in stage order. A stage gets one if the unbalanced force on a block exceeds
-/// `until.body`, and one if its energy balance error exceeds 1 %.
+/// Warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block exceeds
+/// `until.body`, and another if its energy balance error exceeds 1 %.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 
-/// The stage that has the largest ratio of the unbalanced force on a block to its weight; none if no block was checked.
+/// The stage with the largest ratio of a block's unbalanced force to its weight; none if no block was checked.
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records);
 
 }  // namespace keyblock

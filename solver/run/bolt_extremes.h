@@ -19,9 +19,10 @@ std::vector<BoltExtremes> startExtremes(const Model& model);
 /// Updates the extremes with the forces of the bolts in `state`.
 void addExtremes(const Model& model, const State& state, int stage, double time, std::vector<BoltExtremes>& extremes);
 
-/// Utilisation of the steel by an axial force and a moment that increase in proportion: their ratio to the values at
-/// which the cross-section is fully plastic, (N/N_p)² + |M|/M_p = 1.
-/// \param axial N/N_p. \param bending M/M_p.
+/// Utilisation of the steel under an axial force and a moment: their ratio to the values at which the cross-section
+/// becomes fully plastic, (N/N_p)² + |M|/M_p = 1, if both increase in proportion.
+/// \param axial N/N_p.
+/// \param bending M/M_p.
 double steelUse(double axial, double bending);
 
 }  // namespace keyblock

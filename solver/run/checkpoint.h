@@ -24,7 +24,7 @@ struct Written {
     long events = 0, historyRows = 0, frames = 0;
 };
 
-/// The last frame stored at equal intervals, and the time of the next.
+/// The last of the frames that are stored at equal intervals, and the time of the next one.
 struct FrameClock {
     double next = 0.0;  // time within the stage at which the next frame is due
     long keptStep = -1;

@@ -25,11 +25,12 @@ struct EnergyExcess {
 /// Records the energy balance at the start of a stage in `mark`.
 void markEnergy(const Model& model, const State& state, EnergyMark& mark);
 
-/// Checks the energy-balance error since the start of the stage; none if it is within the limit. Errors are treated as
-/// numerical noise below 1e-3 of the largest energy of the run, and below 1e-9·E·V·ε², where ε is a strain of 1e-4 and
-/// E and V are the Young's modulus and volume of the block with the largest E·V.
-/// \param start blocks at the start of the stage. \param allowed limit, as a fraction of the largest term.
-/// \param mark its `largest` is updated.
+/// Returns the energy-balance error since the start of the stage if it exceeds the limit, otherwise none. Errors below
+/// 1e-3 of the largest energy of the run are treated as numerical noise, and so are errors below 1e-9·E·V·ε², where ε
+/// is a strain of 1e-4 and E and V are the Young's modulus and volume of the block with the largest E·V.
+/// \param start the blocks at the start of the stage.
+/// \param allowed the limit, as a fraction of the largest term.
+/// \param mark the reference values; `mark.largest` is updated.
 std::optional<EnergyExcess> energyExcess(const Model& model, const State& state, const std::vector<BlockMotion>& start,
                                          double allowed, EnergyMark& mark);
 

@@ -28,7 +28,7 @@ struct EventFrames {
     bool owed = false;  // bolts have failed since the last frame, so a frame after the failures is due
 };
 
-/// True for bolt failures, each of which needs a frame before and a frame after it.
+/// True for bolt failures, which need one frame just before the failure and one just after it.
 bool callsForFrames(const Event& event);
 
 /// True for events detected only after the step was accepted, for which there is no state just before the event.
@@ -49,11 +49,11 @@ bool passedPeak(const Model& model, const State& before, const State& after, con
 void noteShown(const Model& model, const State& state, EventFrames& frames);
 
 /// Whether another additional frame may be stored.
-/// \param planned number of frames at equal intervals from the start of the run to the end of the current stage.
+/// \param planned the number of frames at equal intervals from the start of the run to the end of the current stage.
 bool mayKeep(const EventFrames& frames, long planned);
 
 /// True if `now` is so soon after the frame `kept` that another frame would show nothing new.
-/// \param interval interval between the regular frames of the stage: [s], or pseudo-time in a static stage.
+/// \param interval the time between the regular frames of the stage: [s], or pseudo-time in a static stage.
 bool isShortlyAfter(const KeptAt& kept, const KeptAt& now, double interval);
 
 }  // namespace keyblock

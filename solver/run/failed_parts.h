@@ -20,9 +20,9 @@ struct FailedJoint {
     Point position{0.0, 0.0};  // point of largest movement, in its position at the start of the stage [m]
 };
 
-/// A failed bolt between blocks that the verdict lists as unstable and other blocks. `Debonding` means that all its
-/// bonds on one side of the joint have failed and that no face plate supports that side; `time` is then that of the
-/// last bond failure.
+/// A failed bolt between blocks that the verdict lists as unstable and other blocks. `Debonding` means that all bonds
+/// of the bolt on one side of the joint have failed and that no face plate supports that side; `time` is then the time
+/// of the last bond failure.
 struct FailedBolt {
     int bolt = -1;
     EventKind event = EventKind::BoltLoss;

@@ -13,8 +13,8 @@ namespace keyblock {
 
 /// Classifies the movement of a block. It topples if its centre of rotation is nearer to its centroid than twice its
 /// size; otherwise it falls if it moves within 10° of the direction `down`; otherwise it slides.
-/// \param size distance from the centroid to the farthest corner [m].
-/// \param down direction of gravity, of any length; if zero, no block falls.
+/// \param size the distance from the centroid to the farthest corner [m].
+/// \param down the direction of gravity, of any length; if zero, no block falls.
 Movement movementOf(const Point& displacement, double rotation, double size, const Point& down);
 
 struct MovingBlock {
@@ -33,14 +33,16 @@ struct MovingJoint {
     double opening = 0.0;  // largest opening [m]
 };
 
-/// Both lists are sorted by movement, largest first, and leave out movements below a tenth of the largest.
+/// The blocks and joints that moved. Each list is sorted by movement, largest first, and omits items that moved less
+/// than a tenth of the largest movement in the list.
 struct FailureMode {
     std::vector<MovingBlock> blocks;
     std::vector<MovingJoint> joints;
 };
 
-/// Joints along which the blocks `rows` touched other blocks in frame `before`, with the relative movement up to frame
-/// `after` of the same stage. `blockA` is the block from `rows`. Blocks that touch only at a corner form no joint.
+/// Joints along which the blocks in `rows` touched other blocks in frame `before`, with the relative movement up to
+/// frame `after` of the same stage. `blockA` is always one of the blocks in `rows`. Blocks that touch only at a corner
+/// form no joint.
 std::vector<MovingJoint> jointsAround(const Frame& before, const Frame& after, const std::vector<int>& rows);
 
 /// Blocks and joints that moved between a frame and a later frame of the same stage. \param down as in `movementOf`.

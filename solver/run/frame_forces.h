@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// Sorts the forces listed by the engine into the form stored in a frame.
+/// Converts the list of forces from the engine to the form stored in a frame.
 /// \param frame the frame made from `state`.
-/// \param moves true if the forces act over a dynamic step. Contact forces are then stored as well, because they differ
-/// from those in `frame.contacts`, which are for the end of the step.
+/// \param moves true if the forces act over a dynamic step. Contact forces are then stored as well, because
+///        `frame.contacts` contains the forces at the end of the step, which differ.
 FrameForces frameForces(const std::vector<SingleForce>& forces, const State& state, const Frame& frame, bool moves);
 
 }  // namespace keyblock

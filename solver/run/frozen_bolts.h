@@ -13,17 +13,18 @@
 
 namespace keyblock {
 
-/// First and last frame of a static stage: block positions at its start, and all forces on the blocks at its end.
+/// First and last frame of a static stage. They give the block positions at the start of the stage and all forces on
+/// the blocks at its end.
 struct StageFrames {
     Frame first, last;
 };
 
 /// The scene without bolts and bolt patterns, and without all references to them (installation, removal, monitors,
 /// quantities and expected values). The force of every anchored point and face plate on a block becomes a load at that
-/// point of the block. In each stage, the loads change in proportion to pseudo-time from those of the previous stage to
-/// its own; in the first stage, and in any stage that changes strengths, its own loads act in full from the start.
-/// Blocks that are fixed as a whole get no loads.
-/// \param run first and last frame of every stage of `scene`.
+/// point of the block. In each stage, these loads change linearly with pseudo-time from their values in the previous
+/// stage to their values in this stage. In the first stage, and in any stage that changes strengths, they act in full
+/// from the start. Blocks that are fixed as a whole get no loads.
+/// \param run the first and last frame of every stage of `scene`.
 /// \pre the scene was checked without errors and all its stages are static and ended in equilibrium.
 Scene withFrozenBolts(const Scene& scene, const std::vector<StageFrames>& run);
 

@@ -27,7 +27,7 @@ public:
     /// it.
     Observation(const Scene& scene, const Model& model, const State& start, Reference& reference);
 
-    /// From now on, measures displacements from the positions in `state`.
+    /// Makes the positions in `state` the reference for displacements from now on.
     void zero(const State& state);
 
     Frame frame(const State& state, int stage, double time) const;

@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Progress of a run; sent after every iteration, from the thread of the run.
+/// Progress of a run; reported after every iteration, from the run's thread.
 struct Progress {
     int stage = 0;
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
@@ -47,10 +47,11 @@ struct RunSettings {
 };
 
 /// Runs every stage of a checked scene, or resumes an unfinished run.
-/// \param from checkpoint that a run of the same scene and build passed to its sink; null: from the beginning.
+/// \param from the checkpoint to resume from, which a run of the same scene and build passed to its sink; null: start
+///        from the beginning.
 /// \pre `checkScene(scene)` found no error.
-/// \return one result per stage begun. A collapse is a result; the outcome `Failed`
-///         (numerical failure), `Stopped` or `Limit` ends the run.
+/// \return one result for each stage that began. A collapse is a result; the outcome `Failed` (numerical failure),
+///         `Stopped` or `Limit` ends the run.
 std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {},
                              const Checkpoint* from = nullptr);
 

@@ -24,7 +24,8 @@ public:
     /// Excludes a pause by the user from the wall-clock time.
     void addPause(std::chrono::steady_clock::duration paused) { begun_ += paused; }
 
-    /// Message that names the limit reached. \pre `reached(steps)`
+    /// Message stating which limit the run has reached.
+    /// \pre `reached(steps)`
     std::string message(long steps) const;
 
 private:

@@ -34,7 +34,7 @@ struct SafetyFactor {
     bool nothingToFreeze = false;  // bolt forces were to be frozen, but the scene fails with unreduced strengths
 };
 
-/// Runs a scene and writes to a sink, as `run` does.
+/// Runs a scene and passes the results to a sink, as `run` does.
 using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
 
 /// The factor to try next: 1, then doubled or halved until a bracket is found, then the middle of the bracket. None

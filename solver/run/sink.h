@@ -19,16 +19,17 @@ public:
     virtual ~Sink() = default;
 
     virtual void begin(const Scene& scene, const HistoryColumns& columns) = 0;
-    /// Called instead of `begin` for a sink that has the results up to a checkpoint; later results are discarded.
+    /// Called instead of `begin` for a sink that already has the results up to a checkpoint. Any results after the
+    /// checkpoint are discarded.
     virtual void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from);
     virtual void stageBegins(int stage) = 0;
     virtual void event(const Event& event) = 0;
     virtual void history(const HistoryRow& row) = 0;
-    /// Stores a frame. Once this returns, all results received so far are safely stored.
+    /// Stores a frame. Once this function returns, all results received so far are safely stored.
     virtual void frame(const Frame& frame) = 0;
     virtual void stageEnds(const StageResult& result) = 0;
-    /// Receives a state from which the run can be resumed, given the results so far. Sinks that do not support resuming
-    /// ignore it.
+    /// Receives a state from which, together with the results so far, the run can be resumed. Sinks that do not support
+    /// resuming ignore it.
     virtual void checkpoint(const Checkpoint&) {}
 };
 

@@ -22,7 +22,7 @@ struct BlockPositions {
     std::vector<Point> centroids;  // [m]; empty if that time has not been reached yet
 };
 
-/// Reference positions for judging a stage at its end; plain values, part of the checkpoint.
+/// Reference positions for judging the stability of a stage at its end; plain values, part of the checkpoint.
 struct StageStart {
     std::vector<BlockMotion> blocks;
     std::vector<std::pair<int, int>> joined;  // rows of blocks that touched or were bolted to each other
@@ -34,16 +34,17 @@ StageStart startOfStage(const Model& model, const State& state);
 /// Records the positions at 80 % and 90 % of a dynamic stage once these times are reached.
 void mark(StageStart& start, const State& state, double time, double duration);
 
-/// Finds the unstable blocks at the end of a stage. Lists are in the order of the rows, except for `collapsed`.
+/// Finds the unstable blocks at the end of a stage. The lists are in row order, except for the list that `collapsed`
+/// returns.
 class Stability {
 public:
-    /// \param loads loads of the stage. Blocks moved by prescribed motions or dilations of the stage, and all blocks
-    /// joined to them, are exempt.
+    /// \param loads the loads of the stage. Blocks moved by prescribed motions or dilations of the stage, and all
+    ///        blocks joined to them, are exempt.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// Unstable blocks of a collapse: first `blocks`, in the given order, then `followers` and every other block that
-    /// the collapse has moved by more than a twentieth of its size, even if it is at rest again. These have
-    /// `Movement::Follows`.
+    /// Unstable blocks of a collapse. `blocks` come first, in the given order. They are followed, with
+    /// `Movement::Follows`, by `followers` and every other block that the collapse has moved by more than a twentieth
+    /// of the block's size, even if the block is at rest again.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
     /// Blocks that came to rest after a displacement of more than `share` times their size (centroid to farthest
@@ -54,8 +55,8 @@ public:
     /// dynamic stage.
     std::vector<UnstableBlock> moving() const;
 
-    /// Of the blocks that the stability verdict considers, the one that moved most relative to its size; row −1 if there
-    /// is none.
+    /// Of the blocks that the stability verdict considers, the one that moved the most relative to its size; row −1 if
+    /// there is none.
     UnstableBlock farthest() const;
 
     /// Blocks removed in this stage because they are too small to affect the verdict.

@@ -41,11 +41,12 @@ public:
     /// ones. \pre a stage that releases them has begun: a static stage, or one with `relaxation`.
     void hold(const std::vector<WallForce>& walls);
 
-    /// Sets the viscous boundaries of this stage. \param kept reactions of the supports that they replace; these forces
-    /// act as long as the viscous boundaries do.
+    /// Sets the viscous boundaries of this stage.
+    /// \param kept the reactions of the supports that the viscous boundaries replace; they act as forces for as long as
+    ///        these boundaries exist.
     void quieten(const std::vector<Dashpot>& dashpots, const std::vector<WallForce>& kept);
 
-    /// Removes loads and motions of blocks and bolts that have been removed.
+    /// Deletes the loads and motions of blocks and bolts that are no longer in the model.
     void forgetAbsent(const State& state);
 
     const Loads& loads() const { return memory_.loads; }
@@ -53,10 +54,10 @@ public:
     /// Load values at the start of the stage.
     const LoadPoint& start() const { return memory_.start; }
 
-    /// Load values at `time` of the stage.
+    /// Load values at `time` within the stage.
     LoadPoint at(double time) const;
 
-    /// Times in (0, 1) of the entries in the tables of this stage.
+    /// Pseudo-times in (0, 1) at which the load and motion tables of this stage have entries.
     std::vector<double> turns() const;
 
     /// True if any load or motion changes during this stage after time 0.

@@ -17,17 +17,17 @@ StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
 /// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once;
-/// every entry of a load table is included. If the stage gives no number of increments, their lengths are chosen during
-/// the run, but an increment always ends at each of these times: at the entries of load tables and where `output`
-/// requests a frame.
-/// \param loads loads for which this stage has begun.
+/// every entry of a load table is included. If the stage does not set the number of increments, their lengths are
+/// chosen during the run. The result then contains only the times at which an increment must end: the entries of load
+/// tables and the times at which `output` requests a frame.
+/// \param loads the loads, for which `begin` has been called with this stage.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
-/// Interval between the frames of a stage: [s], or pseudo-time in a static stage; null if `output` does not set it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. Null if `output` does not set it.
 std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
-/// Interval between the frames of a stage: [s], or pseudo-time in a static stage; the default if `output` does not set
-/// it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. The default interval if `output` does
+/// not set it.
 double frameInterval(const Scene& scene, const Stage& stage);
 
 /// Largest number of frames at equal intervals from the start of the run to the end of a stage.

@@ -31,7 +31,7 @@ public:
     /// Prepares for a new stage: joint events are reported once per pair of blocks and stage.
     void beginStage(const State& state) const;
 
-    /// Events since the last check; marks fallen blocks and bolts pulled out in `state`.
+    /// Events since the last check. Also marks fallen blocks and pulled-out bolts in `state`.
     std::vector<Event> look(State& state) const;
 
     /// Records a joint event reported elsewhere, so that it is not reported again.

@@ -14,22 +14,24 @@ namespace keyblock {
 /// \pre times increase from row to row.
 double recordAt(const Table& record, double time);
 
-/// Acceleration [m/s²] at a time [s] from the start of the stage. A constant value is returned in full; static stages
-/// scale it with pseudo-time. \pre `acceleration` was checked without errors.
+/// Acceleration [m/s²] at a time [s] from the start of the stage. A constant value is returned in full, although static
+/// stages scale it with pseudo-time.
+/// \pre `acceleration` was checked without errors.
 Point accelerationAt(const Acceleration& acceleration, double time);
 
 /// Body force per unit mass [m/s²] in addition to gravity, at a time [s] from the start of the stage: the body
 /// acceleration minus the acceleration of the ground (theory, "Shaking"); zero if the stage has neither.
 Point bodyForceAt(const Stage& stage, double time);
 
-/// Ground velocity and displacement obtained by integrating a record from rest: the final values, and the peak absolute
-/// values at any row.
+/// Ground velocity and displacement obtained by integrating a record from rest: the final values, and the largest
+/// absolute values over all rows.
 struct Baseline {
     double velocity = 0.0, peakVelocity = 0.0;  // [m/s]
     double displacement = 0.0, peakDisplacement = 0.0;  // [m]
 };
 
-/// Integrates the piecewise-linear record exactly. \param factor acceleration [m/s²] per unit of the record
+/// Integrates the piecewise-linear record exactly.
+/// \param factor the acceleration [m/s²] per unit of the record.
 Baseline baselineOf(const Table& record, double factor);
 
 /// Mean time between rows [s]; 0 for fewer than two rows.

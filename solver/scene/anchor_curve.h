@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The anchor with a force–slip curve instead of its softening slip. Anchors without a softening slip, strength or
+/// The anchor with its softening slip replaced by a force–slip curve. Anchors without a softening slip, strength or
 /// stiffness are returned unchanged.
 Anchor withCurve(const Anchor& anchor);
 

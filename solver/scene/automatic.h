@@ -15,8 +15,8 @@ inline constexpr double automaticBody = 1e-3;  // for `until.body`, relative to 
 inline constexpr double automaticSmallest = 0.01;  // for `until.smallest` [m²]
 inline constexpr int automaticIterations = 20000;  // for `limits.iterations`
 
-/// Value for `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if that is
-/// smaller.
+/// Automatic value of `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if
+/// that is smaller.
 double automaticUnbalanced(const Scene& scene);
 
 /// Longest time step [s] of a dynamic stage that does not set one.
@@ -36,8 +36,8 @@ double automaticYoungsModulus(const BoltType& type);
 /// so that the built-in one applies.
 std::string automaticJointMaterial(const Scene& scene);
 
-/// Name of the default joint material of joints, joint sets and Voronoi cells: that of the domain or, if the domain has
-/// none, `automaticJointMaterial`.
+/// Name of the default joint material of joints, joint sets and Voronoi cells: the joint material of the domain or, if
+/// the domain has none, `automaticJointMaterial`.
 std::string automaticTraceMaterial(const Scene& scene);
 
 }  // namespace keyblock

@@ -18,8 +18,9 @@ namespace keyblock {
 
 /// All problems of a scene, in the order of its parts, with pointers but without file and line. Accepts any scene,
 /// however invalid. A scene without errors can be run.
-/// \param cut receives the result of cutting the scene; none if no cut is needed or errors prevent it
-/// \param stop if it becomes true, the check ends early and its result must not be used; null: never
+/// \param cut receives the result of cutting the scene; it is empty if no cut is needed or if errors prevent one.
+/// \param stop if it becomes true, the check ends early and its result must not be used; null: the check cannot be
+///        stopped.
 std::vector<Problem> checkScene(const Scene& scene, std::optional<SceneCut>* cut = nullptr,
                                 const std::atomic<bool>* stop = nullptr);
 

@@ -42,28 +42,29 @@ struct CheckContext {
 };
 
 /// Checks all fields of `object` and of the objects in it against the field table: numbers must be finite and in range,
-/// required texts must not be empty, and the conditions of fields must be met.
+/// required strings must not be empty, and the conditions of fields must be met.
 void checkFields(const Structure& structure, const void* object, const std::string& pointer, CheckReport& report);
 
 /// Checks that the numbers in a value are finite and in the range of its field.
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report);
 
-/// Checks all preconditions of `cutScene`: everything that is cut, and the bolt patterns.
+/// Checks all preconditions of `cutScene`. The check covers all objects that are cut, and the bolt patterns.
 /// \pre `context.scene` is the scene before the cut.
 void checkSection(CheckContext& context);
 
-/// Reports bolts, including those of patterns, that have the same name as a pattern.
+/// Reports every bolt that has the same name as a bolt pattern, including the bolts made from patterns.
 void checkBoltNames(CheckContext& context);
 
 /// Checks the outline of a block, domain or region: at least three corners, no repeated corner, a positive area, and no
 /// self-intersection.
-/// \param what the object as named in messages, e.g. `the block`
-/// \return false if the outline has an error
+/// \param what the object as named in messages, e.g. `the block`.
+/// \return false if the outline has an error.
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
                   double tolerance, CheckReport& report);
 
-/// Reports a name that is not among `names`, the names in the scene's list with key `list`. An empty name is reported
-/// elsewhere.
+/// Reports a name that is not among `names`. Empty names are ignored, because they are reported elsewhere.
+/// \param names the names in the scene's list `list`.
+/// \param list the key of that list.
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report);
 
@@ -91,20 +92,22 @@ void checkActivation(CheckContext& context);  // names that stages excavate, ins
 void checkWatch(CheckContext& context);  // monitors, quantities and expected values
 
 /// True if the bolt runs through a valid block that is not excavated.
-/// \param gone per block: true if excavated; empty: no block is
+/// \param gone for each block, true if it is excavated; empty: no block is excavated.
 bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::vector<bool>& gone);
 
 /// Checks the anchors of a bolt type or bolt, except their positions along the bolt.
 void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
 
-/// Reports a reference to a block that has been excavated by the start of a stage. \param block index; −1 is ignored
+/// Reports a reference to a block that has been excavated by the start of a stage.
+/// \param block the index of the block; −1 is ignored.
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
-/// Index of the block around a `block_at` point; −1 if there is none, which is reported if all blocks are valid.
+/// Index of the block that contains a `block_at` point; −1 if there is none. The latter is reported as an error, unless
+/// some blocks are invalid.
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);
 
-/// Index of the block that contains a point, inside or on its boundary; −1 if there is none, which is reported if all
-/// blocks are valid.
+/// Index of the block that contains a point, inside or on its boundary; −1 if there is none. The latter is reported as
+/// an error, unless some blocks are invalid.
 int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer);
 
 /// Reports an axis of zero length.

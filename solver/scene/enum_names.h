@@ -81,7 +81,7 @@ constexpr Words wordsOf(BoltForces) { return boltForcesWords; }
 constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 
-/// Labels of the words; empty if the words themselves are shown.
+/// Labels displayed for the words; empty if the words themselves are displayed.
 template <typename Enumeration>
 constexpr Words labelsOf(Enumeration) {
     return {};

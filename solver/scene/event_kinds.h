@@ -21,7 +21,7 @@ enum class EventKind {
 /// Groups of kinds that are counted, shown and hidden together.
 enum class EventGroup { Slip, Debonding, Restick, Yield, Rupture, Plate, PulledOut, Falls };
 
-/// Symbols of events; each has a shape and a colour.
+/// Symbols for events; each symbol has a shape and a colour.
 enum class EventMark { Slip, Opening, Debonding, Restick, Yield, Rupture, Plate, PulledOut, Falls };
 
 struct EventGroupRow {

@@ -117,8 +117,8 @@ struct Field {
     bool isRare = false;  // rarely changed: initially collapsed in the form of the whole scene
     bool isSentence = false;  // a Text that may contain several words
     bool isOrdered = false;  // a List whose order the user can change
-    /// Value that the program uses for null; null if it is known only during a run.
-    /// \param cut result of cutting the scene; null if the scene has not been cut
+    /// Returns the value that the program uses if the field is null; null if that value is known only during a run.
+    /// \param cut the result of cutting the scene; null if the scene has not been cut.
     FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
     std::string_view nullText{};  // text for null if null does not stand for a number, e.g. `unlimited`
     FieldValue (*get)(const void* owner) = nullptr;
