@@ -24,7 +24,8 @@ bool canWriteMovies();
 
 class MovieFile {
 public:
-    /// Starts ffmpeg. \param stop ends any wait for ffmpeg when set; it must outlive this object.
+    /// Starts ffmpeg.
+    /// \param stop when set, ends any wait for ffmpeg; it must outlive this object.
     /// \throws CannotWrite if ffmpeg is not installed or the file cannot be written.
     MovieFile(const std::filesystem::path& path, MovieFormat format, const MovieShape& shape,
               const std::atomic<bool>& stop);
@@ -34,7 +35,7 @@ public:
     MovieFile& operator=(const MovieFile&) = delete;
 
     /// Adds an image; does nothing once `stop` is set.
-    /// \param pixels rows from the top, four bytes per pixel: blue, green, red and an unused byte.
+    /// \param pixels the rows of the image from the top, four bytes per pixel: blue, green, red and an unused byte.
     /// \throws CannotWrite with ffmpeg's message if ffmpeg has failed.
     void add(const std::string& pixels);
 

@@ -89,10 +89,12 @@ struct PrincipalStress {
     Point direction{1.0, 0.0};  // unit vector in the direction of σ₁; along x if both stresses are equal
 };
 
-/// σ₁ and σ₃ [Pa], compression positive. \param stress sxx, syy, sxy [Pa], tension positive.
+/// Principal stresses σ₁ and σ₃ [Pa], compression positive.
+/// \param stress the components sxx, syy and sxy [Pa], tension positive.
 std::pair<double, double> principalValues(const std::array<double, 3>& stress);
 
-/// Principal stresses and the direction of σ₁. \param stress sxx, syy, sxy [Pa], tension positive.
+/// Principal stresses and the direction of σ₁.
+/// \param stress the components sxx, syy and sxy [Pa], tension positive.
 PrincipalStress principalStress(const std::array<double, 3>& stress);
 
 }  // namespace keyblock

@@ -20,9 +20,9 @@ struct Measurement {
     std::string problem;
 };
 
-/// Reads a quantity from the history and the events. The result is a problem if the history has no rows, if its column
-/// has no number, or if there is no such event.
-/// \param history rows in order of time, with the columns of `historyColumns(scene)`.
+/// Reads a quantity from the history and the events. The result is a problem if the history has no rows, if the column
+/// of the quantity contains no number, or if the event did not occur.
+/// \param history the rows in order of time, with the columns of `historyColumns(scene)`.
 Measurement measure(const Quantity& quantity, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 

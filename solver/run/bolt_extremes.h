@@ -21,8 +21,8 @@ void addExtremes(const Model& model, const State& state, int stage, double time,
 
 /// Utilisation of the steel under an axial force and a moment: their ratio to the values at which the cross-section
 /// becomes fully plastic, (N/N_p)² + |M|/M_p = 1, if both increase in proportion.
-/// \param axial N/N_p.
-/// \param bending M/M_p.
+/// \param axial the ratio N/N_p.
+/// \param bending the ratio M/M_p.
 double steelUse(double axial, double bending);
 
 }  // namespace keyblock

@@ -23,7 +23,8 @@ double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
 /// bond law. It is 0 for an artificial anchor, outside rock, after loss of the bond, or if the bond has no limit.
 double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node);
 
-/// A bolt in the form stored in a frame, without its elastic energy. \param origin added to all positions.
+/// A bolt in the form stored in a frame, without its elastic energy.
+/// \param origin the point added to all positions.
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
 
 }  // namespace keyblock

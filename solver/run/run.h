@@ -27,8 +27,9 @@ struct Progress {
     StepHealth step;  // the latest step
 };
 
-/// Describes a long search for equilibrium, as in "searching, 40 solves: b161 moves 12 mm"; empty for a search of
-/// fewer than 10 solves. \param names block names as returned by `blockNames`.
+/// Describes a long search for equilibrium, as in "searching, 40 solves: b161 moves 12 mm"; empty for a search of fewer
+/// than 10 solves.
+/// \param names the block names as returned by `blockNames`.
 std::string searchText(const StepHealth& step, const std::vector<std::string>& names);
 
 /// Control handle of a run, owned by the caller. The run checks it in every iteration.

@@ -23,11 +23,12 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 /// \param loads the loads, for which `begin` has been called with this stage.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
-/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. Null if `output` does not set it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. It is null if `output` does not set
+/// it.
 std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
-/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. The default interval if `output` does
-/// not set it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage. If `output` does not set it, the
+/// default is returned.
 double frameInterval(const Scene& scene, const Stage& stage);
 
 /// Largest number of frames at equal intervals from the start of the run to the end of a stage.

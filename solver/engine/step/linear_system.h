@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// A system of linear equations and the factorisation of its matrix. Not thread-safe.
+/// A linear system together with its factor. Not thread-safe.
 class LinearSystem {
 public:
     LinearSystem();

@@ -35,7 +35,8 @@ private:
     int decimalLine_ = 0;
 };
 
-/// Description of a column for messages, as in `column 3 ('load_kN')`. \param index counted from 0.
+/// Description of a column for messages, as in `column 3 ('load_kN')`.
+/// \param index the index of the column, counted from 0.
 std::string csvColumnText(std::size_t index, const std::string& title);
 
 /// Error for a row with more or fewer cells than the header has; its message is empty if the counts match.

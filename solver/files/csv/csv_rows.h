@@ -28,8 +28,8 @@ struct CsvRows {
     std::vector<Problem> problems;
 };
 
-/// Splits the text of a file into rows of cells. The separator is determined from the first row: tab if it contains
-/// one, else semicolon, else comma.
+/// Splits the text of a file into rows of cells. The separator is determined from the first row: a tab if the row
+/// contains one; otherwise a semicolon if the row contains one; otherwise a comma.
 CsvRows readCsvRows(std::string_view text);
 
 }  // namespace keyblock

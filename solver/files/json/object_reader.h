@@ -18,7 +18,7 @@ namespace keyblock {
 
 /// Reads the members of `node` into `target`; fields without a corresponding member keep their values.
 /// \param target a struct of the type described by `structure`.
-/// \param skipped keys that the caller reads itself.
+/// \param skipped the keys that the caller reads itself.
 void readObject(const JsonNode& node, const Structure& structure, void* target, const std::string& pointer,
                 std::vector<Problem>& problems, const std::vector<std::string_view>& skipped = {});
 

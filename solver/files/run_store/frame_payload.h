@@ -41,7 +41,7 @@ std::vector<double> pack(Payload payload, const Frame& frame);
 /// Sets the data of a frame from the rows of a payload. Blocks must be unpacked first, bolts before nodes, contacts
 /// before contact forces, and weights before inertia.
 /// \param blocks the number of solved blocks.
-/// \return false if the values do not fit the scene, the number of blocks or the columns.
+/// \return false if the values do not match the scene, the number of blocks or the columns.
 bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);
 
 }  // namespace keyblock

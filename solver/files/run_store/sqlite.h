@@ -32,7 +32,8 @@ struct Error : std::runtime_error {
 enum class Access { Create, Write, Read, ReadUnchanging };
 
 /// A connection to a database, closed by the destructor. `Access::ReadUnchanging` is for a file that no process is
-/// writing, in a folder without write permission. \throws Error
+/// writing to, in a folder without write permission.
+/// \throws Error
 class Database {
 public:
     Database(const std::filesystem::path& path, Access access);

@@ -23,8 +23,8 @@ inline constexpr const char* damaged = "the store is damaged; run the scene agai
 /// Opens a store and begins a read transaction. \throws CannotRead if the file is missing or is not a database.
 sqlite::Database opened(const std::filesystem::path& path);
 
-/// Opens a file that is known to be a store, possibly one that this process is writing, and begins a read transaction.
-/// Only SQLite accesses the file, because closing it by other means would release the writer's locks.
+/// Opens a file that is known to be a store, possibly one to which this process is writing, and begins a read
+/// transaction. Only SQLite accesses the file, because closing it by other means would release the writer's locks.
 /// \throws CannotRead
 sqlite::Database openedAgain(const std::filesystem::path& path);
 
