@@ -36,7 +36,7 @@ public:
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
     /// True if a block is large enough to be considered in deciding whether there is an equilibrium.
-    bool decides(int block) const { return !small_[static_cast<std::size_t>(block)]; }
+    bool decides(int block) const { return !small_[block]; }
 
     /// True if a block has moved by more than its size.
     bool hasLeft(const std::vector<BlockMotion>& blocks, int block) const { return moved(blocks, block) > 1.0; }
