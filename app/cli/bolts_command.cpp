@@ -28,7 +28,7 @@ TextRow overviewRow(const BoltType& type) {
     return {type.name,
             classWord(type),
             shown(fromSi(type.diameter, namedUnit("mm"))),
-            shown(steel.area * 1e6),
+            shown(fromSi(steel.area, *readUnit("mm²"))),
             steel.tensile ? kilonewtons(*steel.tensile) : "unlimited",
             steel.tensile ? kilonewtons(*steel.tensile * type.shearStrengthRatio) : "unlimited",
             plate ? kilonewtons(*plate) : "unlimited"};

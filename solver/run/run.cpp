@@ -348,7 +348,7 @@ private:
         else if (stage().until.move) result.unstable = stability.displaced(*stage().until.move);
         if (result.unstable.empty()) return;
         if (isStatic()) result.outcome = Outcome::Displaced;
-        nameUnstable(result, isStatic() ? "at rest only after leaving their positions:" : "not stable at the end:");
+        nameUnstable(result, isStatic() ? "blocks displaced before coming to rest:" : "blocks still moving or displaced at the end:");
     }
 
     void undecided(StageResult& result) const {

@@ -9,6 +9,7 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
+#include "solver/scene/units.h"
 
 #include <cmath>
 
@@ -108,10 +109,12 @@ void checkSteel(const BoltType& type, const std::string& pointer, CheckReport& r
 
 void checkSection(const BoltType& type, const std::string& pointer, CheckReport& report) {
     const double circle = fullBarArea(type.diameter);
+    const Unit squareMillimetre = *readUnit("mm²");
     if (type.area && *type.area > circle * (1.0 + areaAgreement))
         report.error(under(pointer, "area"),
-                     "the area " + rounded(1e6 * *type.area) + " mm² is larger than the full circle of the diameter, " +
-                         rounded(1e6 * circle) + " mm²",
+                     "the area " + rounded(fromSi(*type.area, squareMillimetre)) +
+                         " mm² is larger than the full circle of the diameter, " +
+                         rounded(fromSi(circle, squareMillimetre)) + " mm²",
                      "Correct the area [m²] or the diameter [m]");
 }
 

@@ -67,7 +67,7 @@ QStringList notesOf(const ArrowField& field, double width) {
 }
 
 QStringList notesOf(const ContactField& field, double width) {
-    QStringList notes = broken(ForceTexts::tr("This frame: up to %1 %2 over a thickness of %3 m")
+    QStringList notes = broken(ForceTexts::tr("Largest in this frame: %1 %2 (out-of-plane thickness %3 m)")
                                    .arg(qt(numberText(field.largest)), qt(field.unit), qt(numberText(field.thickness))),
                                width);
     if (field.scale.largest > field.scale.longest) notes += broken(ForceTexts::tr("Longer lines are clipped"), width);

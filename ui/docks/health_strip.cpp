@@ -139,7 +139,7 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                 .arg(valueText(row));
         case HealthMeasure::Residual: break;
     }
-    return tr("The unbalanced force on %1 is %2 of the acting forces. Reduce the time step.")
+    return tr("The unbalanced force on %1 is %2 times the total force acting on it. Reduce the time step.")
         .arg(block.isEmpty() ? tr("a block") : tr("block %1").arg(block), valueText(row));
 }
 

@@ -5,6 +5,7 @@
 #include "solver/results/frame_quantities.h"
 #include "solver/results/run_source.h"
 #include "solver/results/result_names.h"
+#include "solver/scene/units.h"
 #include "ui/look/display.h"
 #include "ui/look/qt_text.h"
 #include "ui/picture/event_list.h"
@@ -50,6 +51,8 @@ struct RowMaker {
         return Display::number(as.factor * withoutRoundOff(factor * value, unit), 4) + (symbol.isEmpty() ? QString() : ' ' + symbol);
     }
 
+    QString inUnit(double value, std::string_view unit) const { return shown(value, unit, perSi(findUnit(unit)->unit)); }
+
     void add(const QString& name, const QString& value) { rows.push_back({name, value}); }
 
     void peak(const BoltQuantityRow& quantity, const BoltPeak& peak, double axial) {
@@ -87,7 +90,7 @@ struct RowMaker {
 
     void energy(const BoltFrame& bolt) {
         const double all = bolt.elasticEnergy + bolt.plasticEnergy + bolt.bondEnergy;
-        const auto part = [&](double joules) { return shown(joules, "kJ", 1e-3); };
+        const auto part = [&](double joules) { return inUnit(joules, "kJ"); };
         rows.push_back({ResultTexts::tr("Energy absorbed so far"), part(all),
                         ResultTexts::tr("elastic %1, plastic %2, bond %3")
                             .arg(part(bolt.elasticEnergy), part(bolt.plasticEnergy), part(bolt.bondEnergy))});
@@ -117,13 +120,13 @@ std::vector<Event> some(const std::vector<Event>& events, Belongs belongs) {
 void addPlate(const BoltReport& report, RowMaker& make) {
     if (!report.hasPlate) return;
     make.add(ResultTexts::tr("Current plate load"),
-             report.plateHolds ? make.shown(report.plateForce, "kN", 1e-3) : ResultTexts::tr("plate lost"));
+             report.plateHolds ? make.inUnit(report.plateForce, "kN") : ResultTexts::tr("plate lost"));
 }
 
 void addBond(const BoltReport& report, RowMaker& make) {
     const int nodes = report.bonded + report.slipping + report.failed;
     if (nodes == 0) return;
-    make.add(ResultTexts::tr("Debonded length"), make.shown(report.debonded, "m", 1.0));
+    make.add(ResultTexts::tr("Debonded length"), make.inUnit(report.debonded, "m"));
     make.add(ResultTexts::tr("Bond state of nodes"), ResultTexts::tr("%1 bonded, %2 slipping, %3 failed")
                                                 .arg(report.bonded)
                                                 .arg(report.slipping)

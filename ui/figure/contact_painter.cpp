@@ -82,7 +82,7 @@ std::vector<std::string> notesOf(const ContactField& field, double width) {
         notes.insert(notes.end(), lines.begin(), lines.end());
         for (std::size_t i = lines.size(); i < least; ++i) notes.emplace_back();
     };
-    add("over a thickness of " + numberText(field.thickness) + " m; up to " + numberText(field.largest) + " " + field.unit +
+    add("out-of-plane thickness " + numberText(field.thickness) + " m; up to " + numberText(field.largest) + " " + field.unit +
         " in this frame, " + numberText(field.scale.largest) + " in the run", roomOfNote);
     if (field.scale.largest > field.scale.longest)
         add("longer lines are clipped to " + numberText(field.scale.longest) + " " + field.unit, 1);

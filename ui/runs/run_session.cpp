@@ -212,7 +212,7 @@ void RunSession::tellEnding() {
 QString RunSession::finishedMessage() const {
     for (const StageResult& result : ending_.stages) {
         if (result.unstable.empty()) continue;
-        return tr("The run is finished. Not stable in %1: %2.")
+        return tr("The run is finished, but the section is not stable in %1 (%2).")
             .arg(QString::fromStdString(stageTitle(*order_.scene, result.stage)), QString::fromStdString(result.message));
     }
     return tr("The run is finished.");

@@ -38,7 +38,7 @@ std::vector<ToolField> MonitorTool::fields() {
         Q_EMIT changed();
     };
     std::vector<ToolField> fields{
-        choiceField("what", tr("Target"), {tr("a point"), tr("an opening"), tr("a bolt")}, what_, tell)};
+        choiceField("what", tr("Target"), {tr("point"), tr("joint opening"), tr("bolt")}, what_, tell)};
     QStringList quantities;
     for (const BoltQuantityRow& row : boltQuantityRows) {
         const std::string_view title = plainTitle(row);

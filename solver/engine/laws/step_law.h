@@ -47,8 +47,8 @@ struct PathStart {
     double limit = 0.0;  // friction limit
 };
 
-/// Work of a law between two equilibria, along a linear strain path on which the friction limit changes linearly from
-/// its value at the start to the limit of the law.
+/// Work done by the force of a law between two equilibria. The strain varies linearly, and the friction limit varies
+/// linearly from its value at the start to the limit of the law.
 struct PathWork {
     double slipForce = 0.0;  // mean force while sliding; the force at the end if it did not slide
     double surplus = 0.0;  // trapezoidal work of the forces at both ends minus stored and dissipated energy [J]

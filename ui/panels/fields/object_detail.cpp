@@ -99,7 +99,7 @@ struct Teller {
     QString of(const Monitor& m) const {
         if (m.bolt)
             return QString::fromStdString(*m.bolt) + QStringLiteral(": ") + fromUtf8(plainTitle(rowOf(m.quantity)));
-        if (m.between) return DetailTexts::tr("opening");
+        if (m.between) return DetailTexts::tr("joint opening");
         return m.point ? place(*m.point) : QString();
     }
     QString of(const InSituStress& s) const {

@@ -58,6 +58,11 @@ bool entryHolds(const LibraryEntry& entry, const QString& filter) {
     return all.contains(filter, Qt::CaseInsensitive);
 }
 
+/// Heading of a stretch of the bolt, or of a node, that is bonded. \param number counted from 1.
+QString titleOf(const Anchor& anchor, std::size_t number) {
+    return (anchor.at ? LibraryTexts::tr("Bonded node %1") : LibraryTexts::tr("Bonded length %1")).arg(number);
+}
+
 QString sourceOf(const BoltType& type, const std::string& key) {
     const auto found = type.sources.find(key);
     return found == type.sources.end() ? QString() : QString::fromStdString(found->second);
@@ -73,7 +78,7 @@ public:
         add(boltTypeStructure(), &type_, "", {});
         const Field* anchors = findField(boltTypeStructure(), "anchors");
         for (std::size_t i = 0; i < type_.anchors.size(); ++i)
-            add(anchors->children.structure(), &type_.anchors[i], "anchors", LibraryTexts::tr("Bonded range %1").arg(i + 1));
+            add(anchors->children.structure(), &type_.anchors[i], "anchors", titleOf(type_.anchors[i], i + 1));
         add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", LibraryTexts::tr("Plate"));
         return std::move(rows_);
     }

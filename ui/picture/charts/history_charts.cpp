@@ -203,14 +203,13 @@ private:
         }
         std::erase_if(rows, [&](const auto& row) { return row.first <= negligibleEnergy * largest; });
         std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-        const bool small = largest < 1e3;
+        const EnergyAxis axis = energyAxis(largest);
         ChartPanel panel;
-        panel.title = small ? "Energy (J)" : "Energy (kJ)";
+        panel.title = axis.title;
         panel.note = rows.size() > mostCurves ? "the four largest" : "";
         for (std::size_t i = 0; i < std::min(rows.size(), mostCurves); ++i) {
             std::vector<double> y;
-            for (const FrameHead& frame : run_.frames())
-                y.push_back(rows[i].second->value(frame.energy) * (small ? 1.0 : 1e-3));
+            for (const FrameHead& frame : run_.frames()) y.push_back(rows[i].second->value(frame.energy) * axis.factor);
             addCurve(panel, curveStyles[i], std::string(rows[i].second->display.title), frameTimes_, y);
         }
         if (!panel.curves.empty()) chart.panels.push_back(std::move(panel));

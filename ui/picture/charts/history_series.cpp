@@ -3,6 +3,7 @@
 #include "ui/picture/charts/history_series.h"
 
 #include "solver/results/history.h"
+#include "solver/scene/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,20 @@ namespace keyblock {
 
 namespace {
 
+constexpr double millimetres = perSi(namedUnit("mm"));
+
 /// A quantity of bolts over time.
 Series ofBolts(std::string name, const BoltQuantityRow& row, std::size_t column) {
     return {std::move(name), titleWithUnit(row), column, row.factor, row.unit == "kN", false};
+}
+
+/// The largest energy of any kind [J].
+double largestEnergy(const std::vector<FrameHead>& frames) {
+    double largest = 0.0;
+    for (const FrameQuantity<Energy>& row : energyQuantities())
+        if (!row.display.unit.empty())
+            for (const FrameHead& frame : frames) largest = std::max(largest, std::abs(row.value(frame.energy)));
+    return largest;
 }
 
 }  // namespace
@@ -28,10 +40,10 @@ std::vector<Series> monitorSeries(const Scene& scene) {
             return historyColumn(scene, {static_cast<int>(m), component, -1, {}});
         };
         if (monitor.point) {
-            all.push_back({monitor.name + ".ux", "Displacement along x (mm)", column(0), 1e3, false, false});
-            all.push_back({monitor.name + ".uy", "Displacement along y (mm)", column(1), 1e3, false, false});
+            all.push_back({monitor.name + ".ux", "Displacement along x (mm)", column(0), millimetres, false, false});
+            all.push_back({monitor.name + ".uy", "Displacement along y (mm)", column(1), millimetres, false, false});
         } else if (monitor.between) {
-            all.push_back({monitor.name, "Opening (mm)", column(0), 1e3, false, true});
+            all.push_back({monitor.name, "Opening (mm)", column(0), millimetres, false, true});
         } else {
             all.push_back(ofBolts(monitor.name, rowOf(monitor.quantity), column(0)));
         }
@@ -48,11 +60,10 @@ std::vector<Series> allSeries(const RunSource& run) {
             all.push_back(ofBolts(scene.bolts[b].name + "." + std::string(row.key), row,
                                   static_cast<std::size_t>(column)));
         }
-    const bool small = hasSmallEnergies(run.frames());
+    const EnergyAxis axis = energyAxis(largestEnergy(run.frames()));
     for (const FrameQuantity<Energy>& row : energyQuantities())
         if (!row.display.unit.empty())
-            all.push_back({"energy." + std::string(row.name), small ? "Energy (J)" : "Energy (kJ)", 0,
-                           small ? 1.0 : 1e-3, false, false, &row});
+            all.push_back({"energy." + std::string(row.name), axis.title, 0, axis.factor, false, false, &row});
     return all;
 }
 
@@ -84,12 +95,9 @@ std::string withUnit(const Series& series) {
     return series.name + (unit == std::string::npos ? "" : series.title.substr(unit));
 }
 
-bool hasSmallEnergies(const std::vector<FrameHead>& frames) {
-    double largest = 0.0;
-    for (const FrameQuantity<Energy>& row : energyQuantities())
-        if (!row.display.unit.empty())
-            for (const FrameHead& frame : frames) largest = std::max(largest, std::abs(row.value(frame.energy)));
-    return largest < 1e3;
+EnergyAxis energyAxis(double largest) {
+    constexpr double kilojoules = perSi(namedUnit("kJ"));
+    return kilojoules * largest < 1.0 ? EnergyAxis{"Energy (J)", 1.0} : EnergyAxis{"Energy (kJ)", kilojoules};
 }
 
 }  // namespace keyblock

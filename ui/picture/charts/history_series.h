@@ -37,7 +37,13 @@ std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>
 /// Axis title: NAME (unit).
 std::string withUnit(const Series& series);
 
-/// True if all energies of the frames are below 1 kJ, so that joules are displayed.
-bool hasSmallEnergies(const std::vector<FrameHead>& frames);
+/// Axis title and factor of energies.
+struct EnergyAxis {
+    const char* title;
+    double factor;  // from joules to the display unit
+};
+
+/// Energies of which `largest` [J] is the largest: in joules below 1 kJ, else in kilojoules.
+EnergyAxis energyAxis(double largest);
 
 }  // namespace keyblock
