@@ -217,7 +217,7 @@ void AnchorStrip::refresh() {
     const double length = bolt ? lengthOf(*bolt) : pattern->length;
     const bool sound = type && std::isfinite(length) && length > 0.0;
     line_->setVisible(sound);
-    if (!sound) return hint_->setText(tr("Give the bolt a type and a length first"));
+    if (!sound) return hint_->setText(tr("Give the bolt a type and a length first."));
     const std::size_t index = bolt ? static_cast<std::size_t>(bolt - scene.bolts.data()) : 0;
     const int patternIndex = pattern ? static_cast<int>(pattern - scene.boltPatterns.data()) : -1;
     const std::optional<int> divisions = bolt ? bolt->divisions : pattern->divisions;
@@ -229,9 +229,9 @@ void AnchorStrip::refresh() {
     count_->setText(tr("%1 bonded · %2 intermediate").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
-    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own bonded nodes")
-                   : bolt->anchors ? tr("Set for this bolt. Click or drag along the bolt to change them")
-                                   : tr("Set by the bolt type. Click or drag along the bolt to change them"));
+    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own bonded nodes.")
+                   : bolt->anchors ? tr("Set for this bolt. Click or drag along the bolt to change them.")
+                                   : tr("Set by the bolt type. Click or drag along the bolt to change them."));
 }
 
 void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {

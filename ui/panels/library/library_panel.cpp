@@ -145,7 +145,7 @@ QWidget* LibraryPanel::makeHead() {
     source_ = new ElidedLabel(head);
     source_->setProperty("role", "detail");
     copy_ = new QPushButton(tr("Copy into scene"), head);
-    copy_->setToolTip(tr("Adds an editable copy to the scene"));
+    copy_->setToolTip(tr("Adds an editable copy to the scene."));
     assign_ = new QPushButton(head);
     auto* row = new QHBoxLayout;
     row->addWidget(source_, 1);

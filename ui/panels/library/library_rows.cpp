@@ -60,7 +60,7 @@ bool entryHolds(const LibraryEntry& entry, const QString& filter) {
 
 /// Heading of a stretch of the bolt, or of a node, that is bonded. \param number counted from 1.
 QString titleOf(const Anchor& anchor, std::size_t number) {
-    return (anchor.at ? LibraryTexts::tr("Bonded node %1") : LibraryTexts::tr("Bonded length %1")).arg(number);
+    return (anchor.at ? LibraryTexts::tr("Bonded node %1") : LibraryTexts::tr("Bonded section %1")).arg(number);
 }
 
 QString sourceOf(const BoltType& type, const std::string& key) {

@@ -148,7 +148,7 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
     if (!stage.excavate.empty()) deeds << PlanTexts::tr("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)
-        deeds << PlanTexts::tr("relaxes wall forces to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
+        deeds << PlanTexts::tr("releases %1 % of the wall forces").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
     if (!stage.install.empty()) deeds << PlanTexts::tr("installs %1").arg(listed(stage.install));
     if (!stage.remove.empty()) deeds << PlanTexts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
@@ -162,7 +162,7 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     if (!stage.initialVelocities.empty())
         deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "initial velocity"),
                          QT_TRANSLATE_NOOP("Stages", "initial velocities"));
-    if (stage.baseAcceleration) deeds << PlanTexts::tr("shakes the ground");
+    if (stage.baseAcceleration) deeds << PlanTexts::tr("applies a base acceleration");
     if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
     if (stage.zeroDisplacements) deeds << PlanTexts::tr("resets displacements");
     return deeds;
