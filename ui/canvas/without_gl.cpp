@@ -16,7 +16,7 @@ struct WithoutGlTexts {
 };
 
 QString howToGoOn() {
-    return WithoutGlTexts::tr("<p>Panels, checks, runs and tables work without it. To see the section:</p>"
+    return WithoutGlTexts::tr("<p>Panels, checks, runs and tables still work. To see the section:</p>"
                 "<ul>"
                 "<li>on this machine, install software OpenGL: <code>apt install libgl1-mesa-dri libglx-mesa0</code>, "
                 "and start with <code>LIBGL_ALWAYS_SOFTWARE=1 keyblock-studio</code>;</li>"

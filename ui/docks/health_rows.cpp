@@ -13,7 +13,7 @@ namespace {
 
 // relative to the block size; relative to the largest energy
 constexpr double penetrationLimit = 1e-3, balanceLimit = 5e-3;
-constexpr double cutsLimit = 20.0;  // in 100 steps
+constexpr double cutsLimit = 20.0;  // per 100 steps
 constexpr double nearLimit = 0.67;  // share of the limit from which a measure is shown as a warning
 
 HealthState judged(double value, double limit) {

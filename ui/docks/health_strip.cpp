@@ -44,7 +44,7 @@ QString valueText(const HealthRow& row) {
 }
 
 QString limitText(const HealthRow& row) {
-    if (row.measure == HealthMeasure::StepCuts) return HealthStrip::tr("in 100 steps");
+    if (row.measure == HealthMeasure::StepCuts) return HealthStrip::tr("per 100 steps");
     if (row.measure == HealthMeasure::Balance)
         return HealthStrip::tr("limit %1 %").arg(Display::number(100.0 * row.limit, 2));
     if (row.measure == HealthMeasure::Passes) return HealthStrip::tr("limit %1").arg(Display::number(row.limit, 3));
@@ -127,8 +127,8 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
             return tr("Steps need up to %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
                 .arg(valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
-            return tr("%1 of the last 100 steps were subdivided. Results are not affected, but the run is slower; a shorter time "
-                      "step, or more increments in a static stage, avoids it.")
+            return tr("%1 % of the steps were subdivided. This does not affect the results but slows down the run. Reduce "
+                      "the time step or, in a static stage, use more increments.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
             return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "

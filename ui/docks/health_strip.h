@@ -28,7 +28,7 @@ inline constexpr std::size_t healthMeasures = 5;
 struct HealthRow {
     HealthMeasure measure = HealthMeasure::Passes;
     HealthState state = HealthState::Unknown;
-    std::optional<double> value;  // iterations, time-step reductions in 100 steps, or a fraction
+    std::optional<double> value;  // iterations, time-step reductions per 100 steps, or a fraction
     double limit = 0.0;
     int block = -1;  // block responsible for the value; −1: no particular block
     std::vector<double> course;  // values up to the time shown, for the sparkline

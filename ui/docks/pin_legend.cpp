@@ -33,7 +33,7 @@ void PinLegend::fill() {
         chip->setObjectName(QStringLiteral("pin%1").arg(pin.number));
         chip->setText(QString::fromStdString(nameOf(pin)));
         chip->setAccessibleName(tr("Unpin %1").arg(chip->text()));
-        chip->setToolTip(tr("Unpin %1, %2").arg(chip->text(), QString::fromStdString(titleOf(pin))));
+        chip->setToolTip(tr("Unpin %1: %2").arg(chip->text(), QString::fromStdString(titleOf(pin))));
         chip->setIcon(themes_.icon("close"));
         chip->setIconSize({10, 10});
         chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -81,7 +81,7 @@ void SafetyPanel::fill() {
 QString SafetyPanel::answer() const {
     const auto number = [](double factor) { return Display::number(factor, 4); };
     if (!search_.problem().isEmpty()) return search_.problem();
-    if (search_.isBusy()) return tr("Running with all strengths divided by %1").arg(number(search_.factorNow()));
+    if (search_.isBusy()) return tr("Running with strengths divided by %1").arg(number(search_.factorNow()));
     if (!search_.found()) return tr("The scene is run repeatedly with reduced strengths until it fails.");
     const SafetyFactor& found = *search_.found();
     if (found.nothingToFreeze) return tr("The scene fails at full strength, so there are no bolt forces to freeze.");

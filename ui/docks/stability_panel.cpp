@@ -178,9 +178,9 @@ void StabilityPanel::fill() {
     answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
     const auto worst = run_ ? worstBalanced(run_->stageList()) : std::nullopt;
     if (worst)
-        worst_->setText(tr("Largest unbalanced force: block %1, %2 of its weight")
+        worst_->setText(tr("Largest unbalanced force: block %1, %2 % of its weight")
                             .arg(QString::fromStdString(blockName(run_->blockNames(), worst->health.worst.block)),
-                                 Display::number(worst->health.worst.share, 2)));
+                                 Display::number(100.0 * worst->health.worst.share, 2)));
     worst_->setVisible(worst.has_value());
     fillBlocks(verdict);
     fillBolts();
