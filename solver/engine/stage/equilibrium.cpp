@@ -314,10 +314,11 @@ private:
         ++state_.step;  // this state gets a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
         if (unrest_.restless.empty())
-            return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, mostMoved()) + " has moved most",
+            return named(how, "neither equilibrium nor collapse was found: " + nameOfBody(model_, mostMoved()) +
+                                  " has moved the most",
                          mostMoved());
-        return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, unrest_.body) + " is " +
-                              rounded(unrest_.share) + " of its weight off balance",
+        return named(how, "neither equilibrium nor collapse was found: the unbalanced force on " +
+                              nameOfBody(model_, unrest_.body) + " is " + rounded(unrest_.share) + " times its weight",
                      blockOfBody(model_, unrest_.body));
     }
 
