@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::string_view boltPaper = "unified rock bolt model in DDA";
-constexpr std::string_view usualSteel = "typical of steel";
+constexpr std::string_view usualSteel = "typical value for steel";
 
 constexpr std::string_view ofBolt = translatable("Fields", "Bolt");
 constexpr std::string_view bondLabel = translatable("Fields", "Bond");
