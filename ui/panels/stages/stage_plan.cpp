@@ -148,7 +148,8 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
     if (!stage.excavate.empty()) deeds << PlanTexts::tr("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)
-        deeds << PlanTexts::tr("releases %1 % of the wall forces").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
+        deeds << PlanTexts::tr("releases %1 % of the wall forces")
+                     .arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
     if (!stage.install.empty()) deeds << PlanTexts::tr("installs %1").arg(listed(stage.install));
     if (!stage.remove.empty()) deeds << PlanTexts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
