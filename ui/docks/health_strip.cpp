@@ -127,8 +127,8 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
             return tr("Steps need up to %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
                 .arg(valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
-            return tr("%1 % of the steps were subdivided. This does not affect the results but slows down the run. Reduce "
-                      "the time step or, in a static stage, use more increments.")
+            return tr("%1 % of the steps were subdivided. This does not affect the results but slows down the run. "
+                      "Reduce the time step or, in a static stage, use more increments.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
             return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
