@@ -197,13 +197,13 @@ void RunSession::tellEnding() {
     switch (last.outcome) {
         case Outcome::Failed:
             failed_ = true;
-            message_ = tr("Failed in %1: %2. %3").arg(name, why, kept);
+            message_ = tr("The run failed in %1: %2. %3").arg(name, why, kept);
             break;
-        case Outcome::Stopped: message_ = tr("Stopped in %1. %2").arg(name, kept); break;
-        case Outcome::Limit: message_ = tr("A limit was reached in %1: %2. %3").arg(name, why, kept); break;
-        case Outcome::Collapse: message_ = tr("Collapse in %1: %2.").arg(name, why); break;
-        case Outcome::Displaced: message_ = tr("Excessive movement in %1: %2.").arg(name, why); break;
-        case Outcome::Undecided: message_ = tr("Undecided in %1: %2. %3").arg(name, why, kept); break;
+        case Outcome::Stopped: message_ = tr("The run was stopped in %1. %2").arg(name, kept); break;
+        case Outcome::Limit: message_ = tr("The run ended in %1: %2. %3").arg(name, why, kept); break;
+        case Outcome::Collapse: message_ = tr("Collapse in %1 (%2).").arg(name, why); break;
+        case Outcome::Displaced: message_ = tr("Excessive movement in %1 (%2).").arg(name, why); break;
+        case Outcome::Undecided: message_ = tr("Stability is undecided in %1: %2. %3").arg(name, why, kept); break;
         default: message_ = finishedMessage(); break;
     }
 }

@@ -281,7 +281,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
             dt *= 0.3;
             pace.dt = dt;
             if (dt >= shortestTimeStep * settings_.timeStep) continue;
-            StepEnding failed{Ending::Failed, "no time step settles near " + nameOfBody(model, worst_), {}};
+            StepEnding failed{Ending::Failed, "no time step converges near " + nameOfBody(model, worst_), {}};
             if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
             return failed;
         }

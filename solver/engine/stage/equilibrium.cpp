@@ -285,7 +285,8 @@ private:
     /// The ending if even the shortest step does not converge.
     StepEnding unsettled() const {
         const std::string worst = nameOfBody(model_, report_.worst);
-        return named(Ending::Failed, report_.singular ? worst + " is held by nothing" : "no step settles near " + worst,
+        return named(Ending::Failed,
+                     report_.singular ? worst + " is not restrained" : "no step converges near " + worst,
                      blockOfBody(model_, report_.worst));
     }
 
@@ -314,11 +315,13 @@ private:
         ++state_.step;  // this state gets a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
         if (unrest_.restless.empty())
-            return named(how, "neither equilibrium nor collapse was found: " + nameOfBody(model_, mostMoved()) +
-                                  " has moved the most",
+            return named(how,
+                         "neither equilibrium nor collapse was found; " + nameOfBody(model_, mostMoved()) +
+                             " has moved most",
                          mostMoved());
-        return named(how, "neither equilibrium nor collapse was found: the unbalanced force on " +
-                              nameOfBody(model_, unrest_.body) + " is " + rounded(unrest_.share) + " times its weight",
+        return named(how,
+                     "neither equilibrium nor collapse was found; the unbalanced force on " +
+                         nameOfBody(model_, unrest_.body) + " is " + rounded(unrest_.share) + " times its weight",
                      blockOfBody(model_, unrest_.body));
     }
 

@@ -162,7 +162,7 @@ TEST(OpenClose, AStepThatDoesNotSettleIsAFailure) {
     const Results results = runInMemory(scene);
     ASSERT_EQ(results.stages.size(), 1u);
     EXPECT_EQ(results.stages[0].outcome, Outcome::Failed);
-    EXPECT_EQ(results.stages[0].message, "no step settles near block box");
+    EXPECT_EQ(results.stages[0].message, "no step converges near block box");
 }
 
 }  // namespace
