@@ -53,7 +53,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::AccessibleTextRole)
         return QString("%1 %2: %3").arg(QString::fromStdString(row.name), stages_[index.column()], word);
     if (role == Qt::ToolTipRole)
-        return tr("%1 in %2: %3. Click to change.")
+        return tr("%1 in %2: %3. Click to change it.")
             .arg(QString::fromStdString(row.name), stages_[index.column()], word);
     return {};
 }

@@ -91,7 +91,7 @@ QString counted(std::size_t count, const char* one, const char* many) {
 }
 
 QString changeText(const StrengthChange& change, const Display& display) {
-    const QString text = PlanTexts::tr("changes strength of %1").arg(QString::fromStdString(change.jointMaterial));
+    const QString text = PlanTexts::tr("changes the strength of %1").arg(QString::fromStdString(change.jointMaterial));
     QStringList values;
     if (change.frictionAngle)
         values << QString::fromUtf8("φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
@@ -154,16 +154,18 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     if (!stage.remove.empty()) deeds << PlanTexts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
     if (!stage.loads.empty())
-        deeds << counted(stage.loads.size(), QT_TRANSLATE_NOOP("Stages", "load"), QT_TRANSLATE_NOOP("Stages", "loads"));
+        deeds << PlanTexts::tr("applies %1").arg(
+            counted(stage.loads.size(), QT_TRANSLATE_NOOP("Stages", "load"), QT_TRANSLATE_NOOP("Stages", "loads")));
     if (!stage.motions.empty())
-        deeds << counted(stage.motions.size(), QT_TRANSLATE_NOOP("Stages", "motion"),
-                         QT_TRANSLATE_NOOP("Stages", "motions"));
+        deeds << PlanTexts::tr("prescribes %1").arg(counted(
+            stage.motions.size(), QT_TRANSLATE_NOOP("Stages", "motion"), QT_TRANSLATE_NOOP("Stages", "motions")));
     for (const Dilation& dilation : stage.dilations)
         deeds << PlanTexts::tr("opens %1").arg(QString::fromStdString(dilation.joint));
     if (!stage.initialVelocities.empty())
-        deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "initial velocity"),
-                         QT_TRANSLATE_NOOP("Stages", "initial velocities"));
-    if (stage.baseAcceleration) deeds << PlanTexts::tr("applies a base acceleration");
+        deeds << PlanTexts::tr("sets %1").arg(counted(stage.initialVelocities.size(),
+                                                      QT_TRANSLATE_NOOP("Stages", "initial velocity"),
+                                                      QT_TRANSLATE_NOOP("Stages", "initial velocities")));
+    if (stage.baseAcceleration) deeds << PlanTexts::tr("shakes the ground");
     if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
     if (stage.zeroDisplacements) deeds << PlanTexts::tr("resets displacements");
     return deeds;
@@ -174,7 +176,7 @@ QString stageEnd(const Stage& stage, const Display& display) {
     if (stage.increments)
         return *stage.increments == 1 ? PlanTexts::tr("1 increment") : PlanTexts::tr("%1 increments").arg(*stage.increments);
     if (stage.until.unbalanced)
-        return PlanTexts::tr("unbalanced force < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
+        return PlanTexts::tr("unbalanced force ratio < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
     return PlanTexts::tr("at equilibrium");
 }
 

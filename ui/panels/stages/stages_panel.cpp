@@ -108,6 +108,7 @@ void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
     item.setFlags(item.flags() | Qt::ItemIsEditable);
     item.setText(NameColumn, QString::fromStdString(held.name));
     item.setText(EndColumn, stageEnd(held, context_.display));
+    item.setToolTip(EndColumn, item.text(EndColumn));
     item.setText(DeedsColumn, deeds.isEmpty() ? tr("settles") : deeds);
     item.setToolTip(DeedsColumn, item.text(DeedsColumn));
     auto* box = static_cast<QComboBox*>(list_->itemWidget(&item, KindColumn));

@@ -36,7 +36,7 @@ QString whyBlocks(const ModelCounts& counts) {
 QString boltCount(const ModelCounts& counts) {
     const bool even = counts.bolts > 0 && counts.nodes % counts.bolts == 0;
     if (even) return SummaryTexts::tr("%1 × %2 nodes").arg(number(counts.bolts)).arg(number(counts.nodes / counts.bolts));
-    return SummaryTexts::tr("%1 · %2 nodes").arg(number(counts.bolts), number(counts.nodes));
+    return SummaryTexts::tr("%1 (%2 nodes)").arg(number(counts.bolts), number(counts.nodes));
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
     const std::size_t stages = summary.estimate.stages.size();
     rows.push_back({SummaryTexts::tr("Total"), {}, number(counts.unknowns()),
                     stages == 0   ? SummaryTexts::tr("no stages to run")
-                    : stages == 1 ? SummaryTexts::tr("in the single stage")
-                                  : SummaryTexts::tr("in all %1 stages").arg(stages),
+                    : stages == 1 ? SummaryTexts::tr("1 stage")
+                                  : SummaryTexts::tr("%1 stages").arg(stages),
                     false, true});
     for (const LeftOut& part : summary.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},
@@ -99,7 +99,7 @@ QString estimateDetails(const CostEstimate& estimate) {
                      .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes),
                           rough(stage.least),
                           rough(stage.most));
-    lines << SummaryTexts::tr("Each iteration takes %1 ms; the rest of a step takes %2 ms")
+    lines << SummaryTexts::tr("Each iteration takes %1 ms; the rest of a step takes %2 ms.")
                  .arg(rough(fromSi(estimate.passSeconds, namedUnit("ms"))),
                       rough(fromSi(estimate.stepSeconds, namedUnit("ms"))));
     for (const std::string& sentence : estimate.assumes) lines << QString::fromStdString(sentence);
