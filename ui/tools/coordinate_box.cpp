@@ -129,7 +129,7 @@ void CoordinateBox::stop() {
 }
 
 void CoordinateBox::say(const QString& text, bool wrong) {
-    hint_->setText(wrong ? text : tr("Tab next · @2,0 relative · @3<45 polar"));
+    hint_->setText(wrong ? text : tr("Tab: next field · @2,0: relative · @3<45: polar"));
     hint_->setProperty("wrong", wrong);
     hint_->style()->unpolish(hint_);
     hint_->style()->polish(hint_);

@@ -65,7 +65,7 @@ std::vector<ToolField> JointSetTool::fields() {
     if (set_.traceLength) fields.push_back(row("bridge", tr("Bridge")));
     fields.push_back(row("seed", tr("Seed")));
     fields.push_back(row("joint_material", tr("Material"), materials));
-    if (!regions.isEmpty()) fields.push_back(row("region", tr("In"), regions));
+    if (!regions.isEmpty()) fields.push_back(row("region", tr("Region"), regions));
     return fields;
 }
 

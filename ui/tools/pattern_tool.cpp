@@ -43,7 +43,8 @@ QString PatternTool::detail() const {
     if (const auto problem = boltPatternProblem(patternOf(pattern_))) return QString::fromStdString(problem->message);
     const QString bolts = bolts_.size() == 1 ? tr("1 bolt") : tr("%1 bolts").arg(bolts_.size());
     const QString apart = bolts_.size() > 1 ? ' ' + tr("%1 apart").arg(lengthText(pattern_.spacing)) : QString();
-    return bolts + apart + ' ' + tr("along %1 of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
+    return bolts + apart + ' ' +
+           tr("over %1 along the wall of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
 }
 
 QString PatternTool::commitText() const {
@@ -74,7 +75,7 @@ std::vector<ToolField> PatternTool::fields() {
     };
     std::vector<ToolField> fields{row("type", tr("Type"), types)};
     if (fit() == PatternFit::EndToEnd) {
-        fields.push_back(numberField("count", tr("Bolts"), tr("Number of bolts; the first and the last are at the ends."),
+        fields.push_back(numberField("count", tr("Bolts"), tr("Number of bolts, including one at each end."),
                                      {}, {.least = 1.0, .most = mostBolts}, count_, tell));
         fields.back().isInteger = true;
     } else {

@@ -50,7 +50,7 @@ std::vector<ToolField> TunnelTool::fields() {
     add("diameter", tr("Diameter"));
     add("width", tr("Width"));
     add("height", tr("Height"));
-    add("wall_height", tr("Wall"));
+    add("wall_height", tr("Wall height"));
     add("rise", tr("Rise"));
     return fields;
 }
