@@ -35,7 +35,7 @@ bool Canvas::startsPan(const QMouseEvent& event) const {
 
 void Canvas::showCursor(const std::optional<QPointF>& pixel) {
     const bool onLegend = pixel && sheet_->legendPartAt(*pixel) && held_ == Qt::NoButton;
-    const QString tip = onLegend && !boxWanted_ ? tr("Click to change the colour scale") : QString();
+    const QString tip = onLegend && !boxWanted_ ? tr("Click to change the colour scale.") : QString();
     if (tip != toolTip()) setToolTip(tip);
     if (panFrom_) setCursor(Qt::ClosedHandCursor);
     else if (boxWanted_) setCursor(Qt::CrossCursor);

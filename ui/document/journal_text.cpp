@@ -167,7 +167,7 @@ Journalled readJournal(std::string_view text, std::optional<std::size_t> mostCha
         if (isChange && mostChanges && journal.changes >= *mostChanges) break;
         if (!body || !apply(journal, *body)) {
             journal.damage =
-                "line " + std::to_string(line) + " of the journal is damaged; the lines before it are kept";
+                "line " + std::to_string(line) + " is damaged; the edits before it can be recovered";
             break;
         }
         text.remove_prefix(end + 1);

@@ -87,7 +87,8 @@ SampleCard::SampleCard(const Sample& sample, const Themes& themes, QWidget* pare
     setAccessibleName(sample.title);
     setAccessibleDescription(sample.shows);
     setToolTip(QStringLiteral("<table width='%1'><tr><td><p>%2</p><p>%3</p></td></tr></table>")
-                   .arg(QString::number(tipWidth), sample.shows.toHtmlEscaped(), tr("Opens a copy. The run time was measured on the reference computer.").toHtmlEscaped()));
+                   .arg(QString::number(tipWidth), sample.shows.toHtmlEscaped(),
+                        tr("Opens a copy. The run time on this computer may differ.").toHtmlEscaped()));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setFixedHeight(height);

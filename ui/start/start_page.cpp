@@ -223,7 +223,7 @@ QWidget* StartPage::makeFoot() {
         row->addWidget(link);
     }
     row->addStretch(1);
-    auto* atStart = new QCheckBox(tr("Show this page at start"), foot);
+    auto* atStart = new QCheckBox(tr("Show this page at start-up"), foot);
     atStart->setObjectName("showAtStart");
     atStart->setAccessibleName(atStart->text());
     atStart->setChecked(isWantedAtStart());

@@ -51,7 +51,8 @@ void addExportCommands(QMainWindow& window, Commands& commands, const Themes& th
     add("export.figure", QMainWindow::tr("Export figure…"), QMainWindow::tr("Exports the section, a bolt, curves or events as SVG, PDF or PNG."),
         ExportWhat::Figure);
     add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Exports results of the run as CSV."), ExportWhat::Numbers);
-    add("export.film", QMainWindow::tr("Export animation…"), QMainWindow::tr("Exports all frames as MP4, WebM or PNG images."), ExportWhat::Film);
+    add("export.film", QMainWindow::tr("Export animation…"),
+        QMainWindow::tr("Exports all frames as an MP4 or WebM video or as PNG images."), ExportWhat::Film);
     add("export.all", QMainWindow::tr("Export all…"), QMainWindow::tr("Exports all figures and tables to a folder."),
         ExportWhat::Everything);
     const auto enable = [&commands, &cursor] {

@@ -147,7 +147,7 @@ void addViewCommands(Commands& commands, Themes& themes, Display& display) {
                                  [&] { themes.choose(!themes.isDark()); });
     dark->setChecked(themes.isDark());
     QObject::connect(&themes, &Themes::changed, dark, [dark, &themes] { dark->setChecked(themes.isDark()); });
-    QAction* si = commands.add({"view.si", QWidget::tr("SI base units"), "View", {},
+    QAction* si = commands.add({"view.si", QWidget::tr("SI units without prefixes"), "View", {},
                                 QWidget::tr("Shows N, Pa and J instead of kN, MPa and kJ."), {}, true, "look"},
                                [&display] {
                                    const bool plain = display.system() == UnitSystem::Si;

@@ -70,7 +70,7 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
     commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("Explains the equations and how they are solved."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "theory"); });
     commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
-                  QMainWindow::tr("Lists the verification cases and how to repeat them."), {}, false, "pages"},
+                  QMainWindow::tr("Lists the verification cases and explains how to repeat them."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "verification"); });
     commands.add({"help.keys", QMainWindow::tr("Keyboard shortcuts"), "Help", "keyboard",
                   QMainWindow::tr("Lists all commands and their shortcuts, which can be changed."),

@@ -18,7 +18,7 @@ std::vector<RunRow> rowsOf(const Runs& runs) {
     for (const RunEntry& entry : runs.entries()) {
         RunRow row{entry.path, entry.name(), entry.outcomeText(), entry.goesOn ? "running" : "result",
                    entry.path == runs.shown()};
-        if (entry.ofEarlierScene) row.detail += Runs::tr(", earlier version of the scene");
+        if (entry.ofEarlierScene) row.detail += Runs::tr(" (earlier version of the scene)");
         rows.push_back(std::move(row));
     }
     return rows;

@@ -70,7 +70,8 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     for (QDockWidget* dock : {panels.problemsDock, panels.summaryDock, panels.stagesDock, panels.libraryDock})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // until the layouts arrange it
     needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
-                        QMainWindow::tr("Shows bolt types with their parameters and sources."), {}, false, "library"},
+                        QMainWindow::tr("Shows the bolt types, their parameters and the source of each value."),
+                        {}, false, "library"},
                        [dock = panels.libraryDock] {
                            dock->show();
                            dock->raise();

@@ -68,7 +68,7 @@ void ResultSelection::addPicked(QMenu& menu, const Pick& pick, const QPointF& pi
     const QString name = QString::fromStdString(isBlock ? picture.blocks[pick.shape].name : picture.bolts[pick.shape].name);
     const QString what = isBlock ? tr("block %1").arg(name) : tr("bolt %1").arg(name);
     const Box box = boxOf(isBlock ? picture.blocks[pick.shape].outline : picture.bolts[pick.shape].nodes);
-    menu.addAction(asMenuText(tr("Show results of %1").arg(what)), this, [this, pick, isBlock] {
+    menu.addAction(asMenuText(tr("Show results for %1").arg(what)), this, [this, pick, isBlock] {
         if (isBlock) needs_.blocks.choose(pick.block);
         else needs_.bolts.choose(pick.bolt);
     });

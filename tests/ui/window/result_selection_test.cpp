@@ -107,7 +107,7 @@ TEST_F(ResultSelections, TheRightButtonOpensAMenuOfActions) {
     window_->findChild<ResultSelection*>()->fillMenu(menu, boltPixel());
     QStringList entries;
     for (const QAction* action : menu.actions()) entries << action->text();
-    EXPECT_TRUE(entries.contains("Show results of bolt B")) << entries.join(", ").toStdString();
+    EXPECT_TRUE(entries.contains("Show results for bolt B")) << entries.join(", ").toStdString();
     EXPECT_TRUE(entries.contains("Pin and plot over time"));
     EXPECT_FALSE(entries.filter("Delete").size());
 }
