@@ -165,7 +165,7 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
         deeds << PlanTexts::tr("sets %1").arg(counted(stage.initialVelocities.size(),
                                                       QT_TRANSLATE_NOOP("Stages", "initial velocity"),
                                                       QT_TRANSLATE_NOOP("Stages", "initial velocities")));
-    if (stage.baseAcceleration) deeds << PlanTexts::tr("shakes the ground");
+    if (stage.baseAcceleration) deeds << PlanTexts::tr("applies a base acceleration");
     if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
     if (stage.zeroDisplacements) deeds << PlanTexts::tr("resets displacements");
     return deeds;
