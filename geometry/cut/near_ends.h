@@ -14,21 +14,21 @@
 
 namespace keyblock {
 
-/// Points grouped into places: points that are close to each other share a place.
+/// Points merged into locations: points close to each other share one location.
 struct Gathered {
-    std::vector<Point> places;  // more than the radius apart, except for fixed ones
-    std::vector<int> placeOf;  // per point: index of its place
+    std::vector<Point> places;  // locations, more than the radius apart except for fixed ones
+    std::vector<int> placeOf;  // per point: index of its location
 };
 
-/// Assigns each point, in the order given, to the nearest place within the radius, or makes it a new place.
-/// \param fixed number of points at the start of the list that become places even if they are close to other places;
-/// among these points only identical ones share a place
+/// Assigns each point, in the order given, to the nearest location within the radius, or makes it a new location.
+/// \param fixed number of points at the start of the list that become locations even if they are close to others;
+/// among these points only identical ones share a location
 /// \param radius [m]
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
 /// Faster alternative to `gather` for a radius of the order of round-off. Points that are no farther apart than the
-/// radius, directly or through a chain of points, share one place. This place is the first of their fixed points or,
-/// if none is fixed, the first of the points, in increasing order of x, then y. Places are sorted in the same order.
+/// radius, directly or through a chain of points, share one location: the first of their fixed points or,
+/// if none is fixed, the first of the points, in increasing order of x, then y. Locations are sorted in the same order.
 /// \param fixed number of fixed points at the start of the list
 /// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);

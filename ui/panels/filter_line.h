@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A search field, and the dimmed hint (placeholder text) of empty line edits.
+// A search field, and the dimmed hint in empty line edits.
 #pragma once
 
 #include <QLineEdit>

@@ -203,7 +203,7 @@ void RunSession::tellEnding() {
         case Outcome::Limit: message_ = tr("The run ended in %1: %2. %3").arg(name, why, kept); break;
         case Outcome::Collapse: message_ = tr("Collapse in %1 (%2).").arg(name, why); break;
         case Outcome::Displaced: message_ = tr("Excessive movement in %1 (%2).").arg(name, why); break;
-        case Outcome::Undecided: message_ = tr("Stability is undecided in %1: %2. %3").arg(name, why, kept); break;
+        case Outcome::Undecided: message_ = tr("Stability could not be determined in %1: %2. %3").arg(name, why, kept); break;
         default: message_ = finishedMessage(); break;
     }
 }

@@ -38,7 +38,7 @@ public:
     /// accelerations if it uses them.
     StepEnding begin(State& state);
 
-    /// Makes one accepted step from `time` that does not go beyond `end`, and advances `time`.
+    /// Advances the state by one accepted step, not beyond `end`, and updates `time`.
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:

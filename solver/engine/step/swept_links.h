@@ -49,7 +49,7 @@ public:
     /// \pre the blocks are in equilibrium under the forces passed in.
     void clipPlaced(std::vector<double>& forces);
 
-    /// Displacements of the blocks in the scaled unknowns (padded); they depend linearly on the forces.
+    /// Block displacements in terms of the scaled unknowns, as a padded vector. They depend linearly on the forces.
     Eigen::VectorXd& placed() { return moved_; }
 
     /// Sets each force in turn to the value given by its law, taking into account the block displacements that the

@@ -90,7 +90,7 @@ TEST(SubBlocks, CellsFillAnyOutlineWithoutSlivers) {
     std::mt19937 random(5);
     for (int i = 0; i < 300; ++i) {
         const Outline outline = starOutline(random, 3 + i % 9);
-        expectSoundCells(outline, 0.15 + 0.01 * (i % 50), "starOutline " + std::to_string(i));
+        expectSoundCells(outline, 0.15 + 0.01 * (i % 50), "star " + std::to_string(i));
     }
 }
 

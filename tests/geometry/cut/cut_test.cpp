@@ -26,7 +26,7 @@ Outline rectangle(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-/// A squareInput of 2 m about the origin.
+/// A square of 2 m about the origin.
 CutInput squareInput() {
     CutInput input;
     input.domains = {{1, rectangle(-1, -1, 1, 1)}};

@@ -30,7 +30,7 @@ BoltPattern pattern(const Point& from, const Point& to, double spacing) {
 }
 
 TEST(BoltPattern, StandsAtEqualLengthsFromEndToEnd) {
-    // Half a circularTunnel of radius 2: 2π, in sixths.
+    // Half a circle of radius 2: 2π, in sixths.
     const auto bolts = layOut(circularTunnel, pattern({2, 0}, {-2, 0}, std::numbers::pi / 3.0));
     ASSERT_EQ(bolts.size(), 7u);
     for (std::size_t i = 0; i < bolts.size(); ++i) {

@@ -61,7 +61,7 @@ const Frame& frameAt(const Solved& solved, int stage, double time) {
     return found == frames.rend() ? frames.front() : *found;
 }
 
-/// The lid's lidWeight rests on the two that stay and on what is still held of the middle one.
+/// The lid's weight rests on the two that stay and on what is still held of the middle one.
 TEST(Excavation, WhatAColumnCarriedGoesOverToItsNeighboursEvenly) {
     Scene scene = columns();
     scene.stages = {settle(), excavating({"middle"}, std::nullopt)};

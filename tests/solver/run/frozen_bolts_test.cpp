@@ -29,7 +29,7 @@ using test::weight;
 constexpr double slopeDip = 30.0, jointFriction = 25.0;  // [°]
 constexpr double pretension = 8e3;  // [N]
 
-/// A box on a slopeDip that would slide, held by a pretensioned bar from a fixed wall up the slopeDip; the bar is elastic and
+/// A box on a slope that would slide, held by a pretensioned bar from a fixed wall up the slope; the bar is elastic and
 /// unbreakable, anchored at its far end and by its plate on the lower face of the box.
 Scene boltedSlope(PlateKind plate) {
     Scene scene = test::boxOnBase(slopeDip, jointFriction);
@@ -69,14 +69,14 @@ Point boltForceOnBox(const Frame& frame) {
     return sum;
 }
 
-/// Friction over what drives the box down the slopeDip, with the bolt's forces as they are at the end of a run.
+/// Friction over what drives the box down the slope, with the bolt's forces as they are at the end of a run.
 double factorOf(const Frame& frame, double load) {
     const Point bolt = boltForceOnBox(frame);
     const double pressed = weight * std::cos(slopeDip * degree) - bolt.y();
     return pressed * std::tan(jointFriction * degree) / (weight * std::sin(slopeDip * degree) + load + bolt.x());
 }
 
-/// After the pretension is locked in, a force pushes the box down the slopeDip.
+/// After the pretension is locked in, a force pushes the box down the slope.
 Scene loadedSlope(PlateKind plate, double force) {
     Scene scene = boltedSlope(plate);
     scene.stages.push_back(settle());
@@ -89,7 +89,7 @@ Scene loadedSlope(PlateKind plate, double force) {
     return scene;
 }
 
-/// F = (W cos α + T_n) tan φ / (W sin α + P − T), the bolt's force along the slopeDip T and across it T_n (a little of its own
+/// F = (W cos α + T_n) tan φ / (W sin α + P − T), the bolt's force along the slope T and across it T_n (a little of its own
 /// weight) as at a factor of 1.
 TEST(FrozenBolts, HoldTheSlopeByTheForceThatTheyHad) {
     for (const PlateKind plate : {PlateKind::Spring, PlateKind::Block})

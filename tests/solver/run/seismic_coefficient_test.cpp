@@ -22,7 +22,7 @@ using test::settle;
 constexpr double slopeAngle = 10.0, slopeFriction = 25.0;  // [°]
 constexpr double mass = 2700.0;  // [kg] of 1 m²
 
-/// Horizontal towards the down-slopeAngle side, in axes whose x runs down the slopeAngle.
+/// Horizontal towards the down-slope side, in axes whose x runs down the slope.
 Acceleration horizontal(double coefficient) {
     Acceleration acceleration;
     acceleration.value = coefficient;
@@ -31,7 +31,7 @@ Acceleration horizontal(double coefficient) {
     return acceleration;
 }
 
-/// A box on a slopeAngle: first its weight alone, then a horizontal coefficient.
+/// A box on a slope: first its weight alone, then a horizontal coefficient.
 Scene seismicScene(double coefficient) {
     Scene scene = test::boxOnBase(slopeAngle, slopeFriction);
     scene.stages = {settle(), settle()};

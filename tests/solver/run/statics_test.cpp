@@ -21,7 +21,7 @@ using test::last;
 
 constexpr double peak = 24.56e3, residual = 2.24e3, nodeBond = 84.78e6;  // per node
 
-/// Twenty nodes of brittle nodeBond across a joint in the middle of an element.
+/// Twenty nodes of brittle bond across a joint in the middle of an element.
 Scene shortRebar(bool restick, double displacement, int increments) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
@@ -287,7 +287,7 @@ TEST(Statics, ASlopeUnderItsFrictionAngleHolds) {
     EXPECT_NEAR(shear, 2700.0 * gravity * std::sin(30.0 * degree), 1e-4 * 2700.0 * gravity);
 }
 
-/// Cohesion holds a slidingSlope that is too steep; loaded further it lets go once, at its strength.
+/// Cohesion holds a block on a slope that is too steep; loaded further it lets go once, at its strength.
 TEST(Statics, CohesionLetsGoAtItsStrength) {
     Scene scene = slidingSlope(0.0, 30.0);
     scene.jointMaterials[0].second.cohesion = 20e3;

@@ -38,7 +38,7 @@ StagesPanel::StagesPanel(const FormContext& context, Selection& selection, QWidg
     list_->setAccessibleName(tr("Stages"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
-    list_->setHeaderLabels({tr("Stage"), tr("Kind"), tr("Ends"), tr("Actions")});
+    list_->setHeaderLabels({tr("Stage"), tr("Type"), tr("Ends"), tr("Actions")});
     list_->header()->setStretchLastSection(true);
     list_->setColumnWidth(NameColumn, 150);
     list_->setColumnWidth(KindColumn, 96);
@@ -123,7 +123,7 @@ void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
                 });
         list_->setItemWidget(&item, KindColumn, box);
     }
-    box->setAccessibleName(tr("Kind of %1").arg(item.text(NameColumn)));
+    box->setAccessibleName(tr("Type of %1").arg(item.text(NameColumn)));
     box->setCurrentIndex(held.kind == StageKind::Static ? 0 : 1);
 }
 
