@@ -261,7 +261,7 @@ struct Health {
     long stepCuts = 0;  // time-step or increment reductions, without `energyCuts`
     long energyCuts = 0;  // steps shortened because of their energy error
     StepWork work;
-    double maxPenetrationRatio = 0.0;  // deepest penetration divided by the size of the block
+    double maxPenetrationRatio = 0.0;  // largest penetration divided by the size of the smaller block
     double maxResidual = 0.0;  // largest accepted unbalanced force divided by the magnitude of the acting forces
     double balanceError = 0.0;
     WorstBalance worst;
@@ -274,8 +274,8 @@ struct StepHealth {
     int passes = 0;  // iterations
     int worst = -1;  // block with the largest relative unbalanced force
     double residual = 0.0;  // accepted unbalanced force divided by the magnitude of the acting forces
-    double penetrationRatio = 0.0;  // deepest penetration divided by the size of the block
-    int penetrated = -1;  // block with the deepest penetration
+    double penetrationRatio = 0.0;  // largest penetration divided by the size of the smaller block
+    int penetrated = -1;  // block to which the penetrating corner belongs
     long searched = 0;  // solves so far in the current search for equilibrium; 0 if there is none or in a dynamic stage
     int moving = -1;  // block that has moved most, relative to its size, during the search
     double moved = 0.0;  // displacement of that block [m]

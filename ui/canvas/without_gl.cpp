@@ -19,11 +19,11 @@ QString howToGoOn() {
     return WithoutGlTexts::tr("<p>Panels, checks, runs and tables still work. To see the section:</p>"
                 "<ul>"
                 "<li>on this machine, install software OpenGL: <code>apt install libgl1-mesa-dri libglx-mesa0</code>, "
-                "and start with <code>LIBGL_ALWAYS_SOFTWARE=1 keyblock-studio</code>;</li>"
+                "and start the program with <code>LIBGL_ALWAYS_SOFTWARE=1 keyblock-studio</code>;</li>"
                 "<li>over a remote connection, unset <code>LIBGL_ALWAYS_INDIRECT</code>, or use a display that has GLX "
                 "(<code>Xvfb +extension GLX</code>, a VNC or X2Go session);</li>"
-                "<li>without a display, <code>keyblock run</code> and <code>keyblock export --figure</code> on the "
-                "command line run scenes and export figures.</li>"
+                "<li>without a display, run the scene with <code>keyblock run</code> on the command line and draw the "
+                "section with <code>keyblock export --figure</code>.</li>"
                 "</ul>");
 }
 

@@ -79,7 +79,7 @@ BoltStrip::BoltStrip(const Themes& themes, const Display& display, TimeCursor& c
     setObjectName("boltStrip");
     setAccessibleName(tr("Bolt diagram"));
     more_->setObjectName("stripMore");
-    more_->setAccessibleName(tr("Bolt and quantities shown"));
+    more_->setAccessibleName(tr("Choose bolt and quantities"));
     more_->setToolTip(more_->accessibleName());
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setFixedSize(24, 22);

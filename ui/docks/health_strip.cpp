@@ -131,8 +131,8 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                       "Reduce the time step or, in a static stage, use more increments.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
-            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
-                      "Lagrangian contacts.")
+            return tr("%1 penetrates a neighbour by %2 of the size of the smaller block. Increase the penalty ratio, "
+                      "or use augmented Lagrangian contacts.")
                 .arg(block.isEmpty() ? tr("A block") : tr("Block %1").arg(block), valueText(row));
         case HealthMeasure::Balance:
             return tr("%1 of the energy is unaccounted for. Reduce the time step or the tolerance.")
