@@ -29,8 +29,8 @@ public:
     /// Because it uses a logarithm, results can differ in the last digits between machines.
     double normal();
 
-    /// Like `normal`, but truncated: numbers are drawn until one has an absolute value of at most `cut`. \pre cut is
-    /// not much below 1.
+    /// Like `normal`, but truncated: numbers are drawn until one has an absolute value of at most `cut`. \pre cut > 0;
+    /// for a value well below 1, many numbers must be drawn.
     double normalWithin(double cut);
 
 private:

@@ -16,7 +16,7 @@
 
 namespace keyblock::cli {
 
-/// Folder with `stands.kbrun`, `fails.kbrun` and `safety.csv`, which gets its final name once it is complete.
+/// Folder with `stands.kbrun`, `fails.kbrun` and `safety.csv`. The folder gets its final name once it is complete.
 class SafetyFolder {
 public:
     /// \throws CannotWrite if the folder exists and may not be replaced, or if it contains anything other than the

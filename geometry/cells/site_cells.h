@@ -22,7 +22,7 @@ struct SiteCells {
 
 /// The Voronoi cells of `sites` within `bounds`. The run time is proportional to the number of sites if they are
 /// evenly distributed.
-/// \param spacing [m] approximate distance between neighbours; affects only the speed
+/// \param spacing [m] approximate distance between neighbouring sites; affects only the speed
 /// \param tolerance [m] distance up to which corners are merged
 /// \pre sites are farther apart than the tolerance and lie in `bounds`; tolerance exceeds round-off; spacing > 0.
 SiteCells siteCells(std::span<const Point> sites, const Box& bounds, double spacing, double tolerance);

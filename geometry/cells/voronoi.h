@@ -31,13 +31,14 @@ inline constexpr int voronoiMoves = 4;
 double voronoiEstimate(std::span<const Point> region, double size);
 
 /// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells if the region is translated.
-/// Cells are convex except at corners of a concave region; a cell interrupted by a concave part of the outline is
+/// Cells are convex except at re-entrant corners of the region; a cell interrupted by a concave part of the outline is
 /// split into several cells with the same site. If no random site lies in the region, a single site is placed at its
 /// centroid. Edges and parts of cells that are no larger than the tolerance are omitted.
 /// \param region clockwise or counter-clockwise
 /// \param size [m], well above the tolerance
 /// \param tolerance [m], above round-off
-/// \pre the region does not cross itself, and its area is not zero; voronoiEstimate(region, size) is reasonable.
+/// \pre the region does not cross itself, and its area is not zero; voronoiEstimate(region, size) is small enough to
+/// generate that many sites.
 VoronoiCells voronoiCells(std::span<const Point> region, double size, std::uint64_t seed, double tolerance);
 
 }  // namespace keyblock

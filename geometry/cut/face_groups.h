@@ -79,8 +79,8 @@ struct Sliver {
     double area = 0.0;  // [m²]
 };
 
-/// Merges each group whose area or width is below the limit with a neighbour, smallest group first, until no such
-/// group has a neighbour.
+/// Merges undersized groups, i.e. those whose area or width is below the limit, with a neighbour, smallest group first,
+/// until no undersized group has a neighbour.
 /// \param faces number of faces of the map
 /// \param minArea [m²]
 /// \param minWidth [m]

@@ -33,13 +33,13 @@ Gathered gather(std::span<const Point> points, std::size_t fixed, double radius)
 /// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);
 
-/// A segment between two places, given by their indices.
+/// A segment between two locations, given by their indices.
 struct PlacePair {
     int from = 0, to = 0;
 };
 
-/// All pairs (place, segment) no farther apart than the radius, except a segment and its own ends; sorted. Places more
-/// than the radius outside `box` are ignored. \param radius [m]
+/// All pairs (location, segment) that are no farther apart than the radius, sorted. The ends of a segment are not
+/// paired with it, and locations more than the radius outside `box` are ignored. \param radius [m]
 std::vector<std::pair<int, int>> nearPairs(std::span<const Point> places, std::span<const PlacePair> segments,
                                            const Box& box, double radius);
 

@@ -32,7 +32,7 @@ inline Domains inOneOf(const Domains& a, const Domains& b) {
 }
 
 /// The owner of an edge and the domains that the edge bounds. Where segments overlap, the lowest `owner` applies, and
-/// a domain that occurs twice is cancelled.
+/// a domain that occurs twice cancels out.
 struct EdgeMark {
     int owner = 0;
     Domains domains{-1, -1};  // domains with the edge on their outline

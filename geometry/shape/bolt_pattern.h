@@ -44,7 +44,8 @@ double boltCount(const TunnelProfile& profile, const BoltPattern& pattern);
 /// The bolts, in order along the wall in the direction `way`. A bolt whose head lies at the end of the pattern, to
 /// within 1e-9 of the length of the whole wall, is included. In a pattern all round the tunnel, no other head
 /// coincides with the first. Empty if the offset is longer than the pattern.
-/// \pre boltPatternProblem(pattern) is none, and boltCount(profile, pattern) is reasonable.
+/// \pre boltPatternProblem(pattern) is none, and boltCount(profile, pattern) is small enough to generate that many
+/// bolts.
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern);
 
 }  // namespace keyblock

@@ -20,8 +20,8 @@ std::vector<Point> ellipsePoints(const Point& center, const Point& p, const Poin
                                  double sagitta);
 
 /// Points of a circular arc from a to b. The number of edges is limited as in `ellipsePoints`.
-/// \param bulge tangent of a quarter of the angle subtended by the arc; positive: to the right of a→b; 0: straight; 1:
-/// semicircle
+/// \param bulge tangent of a quarter of the angle subtended by the arc; positive: the arc lies to the right of a→b; 0:
+/// straight line; 1: semicircle
 /// \param sagitta [m] largest distance between an edge and the arc, > 0
 std::vector<Point> bulgePoints(const Point& a, const Point& b, double bulge, double sagitta);
 

@@ -32,8 +32,9 @@ struct JointSet {
     Scatter spacing{1.0, 0.0};  // distance between lines, normal to them
     std::optional<Scatter> length;  // length of a trace; none: through-going, without bridges
     Scatter bridge;  // length of rock between two traces of a line
-    /// Offset of each line from the previous one, as a fraction of mean length + mean bridge. 0: traces are side by
-    /// side; 0.5: traces are staggered as in a brick wall; none: the offset is random for each line.
+    /// Shift of the traces along each line relative to those of the previous line, as a fraction of mean length + mean
+    /// bridge. 0: traces are side by side; 0.5: traces are staggered as in a brick wall; none: the shift of each line
+    /// is random.
     std::optional<double> stagger = 0.0;
     Point origin{0.0, 0.0};  // [m]
     std::uint64_t seed = 1;
@@ -61,7 +62,8 @@ struct JointTrace {
 /// The traces clipped to the closed region, sorted by line, trace number and position along the dip. A trace that is
 /// interrupted by a concave part of the outline gives several pieces on the same line.
 /// \param tolerance [m], as in `clipped`
-/// \pre jointSetProblem(set) is none; the region does not cross itself; jointTraceEstimate(set, region) is reasonable.
+/// \pre jointSetProblem(set) is none; the region does not cross itself; jointTraceEstimate(set, region) is small enough
+/// to generate that many lines and traces.
 std::vector<JointTrace> jointTraces(const JointSet& set, std::span<const Point> region, double tolerance);
 
 }  // namespace keyblock
