@@ -13,11 +13,11 @@
 namespace keyblock {
 
 /// Dashpots on the given sides of the domain, or of the bounding box of all blocks if there is no domain. Each face has
-/// two dashpots; their coefficients are density · wave speed · area, with the speed of pressure waves normal to the
-/// side and of shear waves along it.
+/// two dashpots, each for half of the face. The coefficients of a dashpot are density · wave speed · area, with the
+/// speed of pressure waves normal to the side and of shear waves along it.
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Rows of the point supports that lie on the given sides and whose blocks are present.
+/// Indices of the point supports that lie on the given sides and whose blocks are present.
 std::vector<std::size_t> supportsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
 /// Force carrier of the dashpots, which act in dynamic steps only.

@@ -17,20 +17,20 @@ namespace keyblock {
 inline constexpr double glueMultiple = 1000.0;
 
 /// Glue along one edge.
-/// \param edge the shared edge, with its cells given as rows of the model's blocks, which must already exist.
+/// \param edge the shared edge; its cells are indices into Model::blocks, which must already contain them.
 GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& edge);
 
 /// Adds the links of all glued edges at the current positions of the cells: normal, shear and rotation for each edge.
 void addGlueLinks(const Model& model, const State& state, StepProblem& problem);
 
-/// Adds the links of all glued edges for a dynamic step with an expected displacement `path` (six rows per block).
-/// Directions and lever arms are evaluated after a fraction `share` of the path. Strains are exact at the end of the
-/// path and linear in the deviation from that end.
+/// Adds the links of all glued edges for a dynamic step with an expected displacement `path` (six values per block).
+/// Directions and lever arms are evaluated after a fraction `share` of the path. Strains are exact if the displacement
+/// equals `path`, and linear in the deviation from it.
 void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
                       StepProblem& problem);
 
-/// Expected displacement of the cells over `time` [s] if each block of cells rotates uniformly about its own centroid
-/// (six rows per block); zero for blocks without cells.
+/// Expected displacement of the cells over `time` [s] if each block that is divided into cells rotates uniformly about
+/// its own centroid (six values per block); zero for undivided blocks.
 Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time);
 
 /// True if the linearised glue forces agree, within a tolerance, with the glue forces at the exact positions of the

@@ -25,8 +25,8 @@ struct MeshRequest {
     std::vector<FinePlace> fine;
 };
 
-/// Approximate maximum number of elements of an automatic mesh. If more are requested, all elements are lengthened in
-/// proportion; there is still at least one element per joint.
+/// Approximate maximum number of elements of an automatic mesh. If the requested element lengths would give more, all
+/// elements are lengthened in proportion; there is still at least one element per joint.
 inline constexpr int mostElements = 4000;
 
 /// Node positions for `divisions` elements of equal length, from 0 to `length` [m].

@@ -24,7 +24,7 @@ struct BoltStep {
     Link& ofElement(LinkKind kind, int element, double strain, double share, const Eigen::Vector3d& g1,
                     const Eigen::Vector3d& g2);
 
-    /// Row of the link added last.
+    /// Index of the link added last.
     int last() const { return static_cast<int>(problem.links.size()) - 1; }
 
     const Model& model;

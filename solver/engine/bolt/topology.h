@@ -10,13 +10,13 @@
 
 namespace keyblock {
 
-/// Sets blocks, tributary lengths and initial bonds of all nodes of the active bolts, at their positions in the scene.
+/// Sets the block, tributary length and initial bond of every node of the active bolts, at its position in the scene.
 void placeBolts(const Model& model, State& state);
 
-/// Sets blocks, tributary lengths and initial bonds of one bolt's nodes at the current positions of the blocks.
+/// Sets the block, tributary length and initial bond of every node of one bolt, at the current positions of the blocks.
 void placeBoltNow(const Model& model, State& state, int bolt);
 
-/// Updates blocks and tributary lengths of all bolt nodes after the bodies have moved.
+/// Updates the block and tributary length of every bolt node after the bodies have moved.
 /// \return the largest change of a node's tributary length [m]; for an anchor law given per node, the change is 1 if
 /// the node enters or leaves the rock.
 double followBolts(const Model& model, State& state);

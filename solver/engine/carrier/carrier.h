@@ -60,7 +60,7 @@ struct Carrier {
     /// carries the accepted force at the new positions, and accounts for the work.
     void (*relock)(const Model& model, State& state, const SolvedLink& solved) = nullptr;
 
-    /// Called once at the end of an accepted step, after all links.
+    /// Called once at the end of an accepted step, after `accept` and `relock` have been called for all links.
     void (*finish)(State& state) = nullptr;
 
     /// Adds the carrier's limits that have not been released yet, in the order in which ties are broken.

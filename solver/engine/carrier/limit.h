@@ -24,8 +24,8 @@ inline bool sameLimit(const Limit& a, const Limit& b) {
     return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
 }
 
-/// Relative difference up to which two overloads are considered equal, and the excess over 1 up to which a ratio counts
-/// as having just reached its limit.
+/// Relative difference up to which the ratios of two limits are considered equal, and the excess of a ratio over 1 up
+/// to which its limit counts as just reached.
 inline constexpr double tieShare = 1e-6;
 inline constexpr double reachedShare = 1e-9;
 

@@ -23,8 +23,8 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, s
 /// corner shares with the edge; 0 if no such face lies along the edge.
 double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// Transfers the forces of contacts that slid off their edges to contacts found at the same position, and keeps bonded
-/// contacts.
+/// Transfers the forces of contacts that slid off their edges to contacts found at the same position, and adds bonded
+/// contacts that the search did not find again.
 /// \param underWay true if the blocks have moved since forces were accepted; the current forces of the laws are then
 /// transferred.
 /// \param found the contacts found, sorted; they remain sorted.

@@ -14,10 +14,11 @@ namespace keyblock {
 /// friction or, if friction is equal, the lower cohesion. On the corner's block, the face that lies along the edge is
 /// considered, or both faces at the corner if neither lies along it. Intact rock applies only to faces that met in the
 /// original scene (`first`); otherwise the block's own joint material is used instead.
-/// \return a row of Model::joints.
+/// \return an index into Model::joints.
 int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
-/// Row of State::openings of the joint or joint set to which both the edge and a face at the corner belong; −1: none.
+/// Index into State::openings of the joint or joint set to which both the edge and a face at the corner belong; −1:
+/// none.
 int openingBetween(const Model& model, const Contact& contact);
 
 /// Prescribed opening of the contact's joint [m]: the opening of its material plus the opening of its named joint or

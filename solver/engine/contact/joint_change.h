@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Rows of Model::joints with the strengths set by the stages up to and including `stage` (−1: as given in the scene).
-/// Includes the built-in material and intact rock.
+/// Contents of Model::joints with the strengths set by the stages up to and including `stage` (−1: as given in the
+/// scene). The built-in material and intact rock are included.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
 /// Sets the model's joint strengths to those of `stage` and determines the governing material of every contact again.

@@ -28,7 +28,7 @@ struct BeamSection {
     double density = 0.0;  // [kg/m³]
 };
 
-/// Parameter b of the modified beam element; 0 if the element has no shear deformation.
+/// Parameter b = 12·E·I·k/(G·A·L²) of the modified beam element, or 0 if the element has no shear deformation.
 double shearModifier(const BeamSection& section, double length, bool shears);
 
 /// Stiffness matrix in local axes for the unknowns u1, w1, θ1, u2, w2, θ2 [N/m, N, N m].

@@ -62,7 +62,7 @@ struct Loads {
 struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
-    Point acceleration{0.0, 0.0};  // force per mass in addition to gravity [m/s²]
+    Point acceleration{0.0, 0.0};  // force per unit mass in addition to gravity [m/s²]
     std::vector<double> forces, pressures, motions, walls;  // factors per row of Loads; `motions`: displacements [m]
     std::vector<double> openings;  // joint openings since the start of the run, as State::openings; empty: none [m]
 };
@@ -92,11 +92,11 @@ struct SingleLoad {
 std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                     const StepMove& move);
 
-/// Force per mass due to gravity and body acceleration [m/s²].
+/// Force per unit mass due to gravity and body acceleration [m/s²].
 Point accelerationOf(const Model& model, const LoadPoint& at);
 
-/// Weight per mass used as the reference for unbalanced forces [m/s²]: the largest of full gravity, body acceleration
-/// and their vector sum.
+/// Weight per unit mass used as the reference for unbalanced forces [m/s²]: the largest of full gravity, body
+/// acceleration and their vector sum.
 double weightPerMass(const Model& model, const LoadPoint& at);
 
 /// Generalised forces of gravity, point forces, pressures and wall forces on every unknown.

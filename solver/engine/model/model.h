@@ -31,9 +31,9 @@ struct BlockModel {
     Eigen::Matrix3d elasticity = Eigen::Matrix3d::Zero();  // stress per strain [Pa]
     double youngsModulus = 0.0;  // [Pa]
     Stress initialStress{};  // [Pa]
-    int jointMaterial = -1;  // row of Model::joints
-    std::vector<int> faceJoints;  // row of Model::joints per edge; empty: `jointMaterial` for all edges
-    std::vector<int> faceOpenings;  // per edge: row of `State::openings` of its joint or joint set, −1: none;
+    int jointMaterial = -1;  // index into Model::joints
+    std::vector<int> faceJoints;  // index into Model::joints per edge; empty: `jointMaterial` for all edges
+    std::vector<int> faceOpenings;  // per edge: index into `State::openings` of its joint or joint set, −1: none;
                                     // empty: no named joint dilates
     std::vector<std::optional<BoundarySide>> faceSides;  // domain side per edge; empty: no domain or viscous side
     int rock = -1;  // block of the scene to which it belongs; for a face plate, the block against which it lies
@@ -55,7 +55,7 @@ struct JointModel {
 
 /// Elastic bond along an edge shared by two cells (theory, "Sub-blocks").
 struct GlueModel {
-    int a = -1, b = -1;  // rows of the two cells
+    int a = -1, b = -1;  // the two cells, as indices into Model::blocks
     Point placeA{0.0, 0.0}, placeB{0.0, 0.0};  // initial position of the edge's midpoint relative to each centroid [m]
     Point along{1.0, 0.0};  // initial unit direction of the edge, with cell `a` on its left
     double length = 0.0;  // [m]
@@ -94,7 +94,7 @@ struct AnchorModel {
     bool curveEnds = false;  // no force beyond the last slip of the curve
     std::optional<Backbone> curve;  // of a force–slip curve or a softening bond
     std::optional<Backbone> dynamicCurve;  // curve in dynamic stages, if the dynamic factor is not 1
-    int entry = -1;  // row of BoltModel::intervals
+    int entry = -1;  // index into BoltModel::intervals
 };
 
 struct BoltElement {
@@ -155,11 +155,11 @@ struct Model {
     double thickness = 1.0;
     Point gravity{0.0, 0.0};
     double stiffest = 1.0;  // largest spring stiffness in the scene [N/m]
-    std::vector<BlockModel> blocks;  // rows of `solvedBlocks`
-    std::vector<int> firstOf;  // first row of each block of the scene, then the first row of the face plates
+    std::vector<BlockModel> blocks;  // in the order of `solvedBlocks`
+    std::vector<int> firstOf;  // per block of the scene, index of its first entry in `blocks`; then of the face plates
     std::vector<GlueModel> glue;
     std::vector<JointModel> joints;  // those of the scene, then the built-in one, then intact rock
-    int openings = 0;  // number of rows of `State::openings`: of `joints`, then of the scene's joints and joint sets
+    int openings = 0;  // number of entries of `State::openings`: of `joints`, then of the scene's joints and joint sets
     bool hasSides = false;  // the blocks have `faceSides`
     std::vector<PointSupport> supports;
     std::vector<BoltModel> bolts;
@@ -170,22 +170,24 @@ struct Model {
 /// Initial positions of a block's corners [m].
 std::vector<Point> startCorners(const BlockModel& block);
 
-/// Rows of Model::joints for faces without a joint material from the scene and, as the last row, for intact rock.
+/// Indices into Model::joints: of the built-in material, for faces without a joint material from the scene, and of
+/// intact rock.
 inline int builtInRow(const Model& model) { return static_cast<int>(model.joints.size()) - 2; }
 inline int intactRow(const Model& model) { return static_cast<int>(model.joints.size()) - 1; }
 
-/// Row of Model::joints for the face on an edge of a block.
+/// Index into Model::joints for the face on an edge of a block.
 inline int jointOfFace(const BlockModel& block, int edge) {
     return block.faceJoints.empty() ? block.jointMaterial : block.faceJoints[edge];
 }
 
-/// True if both rows are the same block or two cells of one block.
+/// True if `a` and `b`, indices into Model::blocks, are the same block or two cells of one block.
 bool sameRock(const Model& model, int a, int b);
 
-/// First row of the whole block to which `row` belongs; for an undivided block this is `row` itself.
+/// Index into Model::blocks of the first cell of the block to which cell `row` belongs; `row` itself if the block is
+/// not divided into cells.
 int wholeOf(const Model& model, int row);
 
-/// One past the last row of the whole block whose first row is `first`.
+/// One past the index of the last cell of a block. \param first the index of its first cell, as returned by `wholeOf`.
 int endOfWhole(const Model& model, int first);
 
 /// Area of a whole block, including all its cells [m²], and the square root of that area [m].
@@ -193,13 +195,14 @@ int endOfWhole(const Model& model, int first);
 double wholeArea(const Model& model, int first);
 double wholeSize(const Model& model, int first);
 
-/// Row of a block of the scene or, if it is divided into cells, of a cell that contains `place` at the start.
+/// Index into Model::blocks of block `block` of the scene or, if it is divided into cells, of a cell that contains
+/// `place` at the start.
 /// \pre `place` lies in the block.
 int rowHolding(const Model& model, int block, const Point& place);
 
 JointModel jointModel(const JointMaterial& material);
 
-/// Rows of Model::joints for these materials, followed by the built-in material and intact rock.
+/// Contents of Model::joints for these materials, followed by the built-in material and intact rock.
 std::vector<JointModel> jointRows(const std::vector<std::pair<std::string, JointMaterial>>& materials);
 
 }  // namespace keyblock

@@ -43,8 +43,8 @@ struct BondedFace {
 /// to its position in the list.
 struct Contact {
     int blockA = -1, corner = -1, blockB = -1, edge = -1;
-    int joint = -1;  // row of Model::joints
-    int opening = -1;  // row of State::openings of the joint or joint set of both its faces; −1: none
+    int joint = -1;  // index into Model::joints
+    int opening = -1;  // index into State::openings of the joint or joint set of both its faces; −1: none
     double lockPlace = 0.0;  // position along the edge from which slip is measured [0 … 1]
     double gapOffset = 0.0;  // gap at which the normal force vanishes [m]
     double dilation = 0.0;  // joint opening already taken up by this contact [m]
@@ -71,7 +71,7 @@ struct GlueState {
     bool operator==(const GlueState&) const = default;
 };
 
-/// State of an anchored point along its slot.
+/// Bond state of an anchored point along its slot.
 struct NodeBond {
     bool bonded = false;  // still on the initial branch of its law
     bool gone = false;  // failed completely along the slot
@@ -91,7 +91,7 @@ struct BoltNode {
     Point x{0.0, 0.0};  // [m]
     double angle = 0.0;  // rotation since the start [rad]
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-    int slot = -1;  // row of BoltMotion::slots; −1: in a gap, on a joint or outside the rock
+    int slot = -1;  // index into BoltMotion::slots; −1: in a gap, on a joint or outside the rock
     double normalShare = 0.0;  // tributary length of the normal spring [m]; 1 if its stiffness is per node
     double normalForce = 0.0;  // last accepted force of the normal spring [N]
     double normalOffset = 0.0;  // offset from the slot at which that force is zero, due to crushing or entry off it [m]
@@ -192,7 +192,7 @@ Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const 
 /// Stress in the block's frame [Pa].
 Eigen::Vector3d frameStress(const BlockModel& block, const BlockMotion& motion);
 
-/// Rotates the two translational unknowns to `axis` without changing the velocity.
+/// Rotates the axes of the two translational unknowns so that the first is along `axis`. The velocity does not change.
 void turnUnknowns(BlockMotion& motion, const Point& axis);
 
 /// Velocity of the centroid in global axes [m/s].

@@ -32,8 +32,8 @@ struct PointMove {
     Point beyond{0.0, 0.0};  // constant part [m]; 0 if forces act in the middle of the step
 };
 
-/// Displacement of a material point over a step. It is exact for the expected displacement, and t is T(x) if no
-/// displacement is expected.
+/// Displacement of a material point over a step as a linear function of the displacement d of its block. The function
+/// is exact if d is `expectedMove`. If `expectedMove` is zero, t is the `displacementMatrix` at the start of the step.
 /// \param place the position relative to the centroid, in the block's initial frame [m].
 PointMove pointMove(const Model& model, const State& state, int block, const Point& place, const StepMove& move);
 
