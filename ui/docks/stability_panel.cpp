@@ -244,8 +244,9 @@ QString StabilityPanel::energyText(double joules) const {
 
 QString StabilityPanel::whenText(const BoltPeak& peak) const {
     if (peak.stage < 0) return {};
+    const QString stage = QString::fromStdString(stageTitle(run_->scene(), peak.stage));
     return asTip(tr("Reached in %1 at t = %2; position measured from the far end")
-                     .arg(QString::fromStdString(stageTitle(run_->scene(), peak.stage)), Display::number(peak.time, 4)));
+                     .arg(stage, Display::number(peak.time, 4)));
 }
 
 QString StabilityPanel::namesOf(const std::vector<int>& blocks) const {

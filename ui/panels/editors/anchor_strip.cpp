@@ -230,7 +230,7 @@ void AnchorStrip::refresh() {
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
     hint_->setText(
-        pattern ? tr("Set by the bolt type. Only bolts that do not belong to a pattern can have their own bonded nodes.")
+        pattern ? tr("Set by the bolt type. Only bolts that are not in a pattern can have their own bonded nodes.")
         : bolt->anchors
             ? tr("Set for this bolt. Click a node to toggle it, or drag along the bolt to toggle several.")
             : tr("Set by the bolt type. Click a node to toggle it, or drag along the bolt to toggle several."));
