@@ -45,7 +45,7 @@ struct BoltUse {
     std::array<std::optional<double>, boltStrengths.size()> use;
     std::optional<BoltStrength> governs;  // highest utilisation; none if the bolt has no strength or carried no force
     /// Blocks that the bolt crossed when it was installed, in order from its head, except the block that contains its
-    /// far end. Each block is given by its first row.
+    /// far end. Each is given by its index in the frames; a block divided into cells, by that of its first cell.
     std::vector<int> holds;
 
     double highest() const { return governs ? *use[static_cast<std::size_t>(*governs)] : 0.0; }
@@ -60,7 +60,7 @@ std::string useText(const BoltUse& use);
 /// Nodes of every bolt in the first frame after its installation; empty for a bolt that has not been installed yet.
 std::vector<std::vector<BoltNodeFrame>> boltsAsInstalled(const RunSource& run);
 
-/// One row per bolt of the scene; empty for a run without frames or a store without bolt extremes.
+/// One entry per bolt of the scene; empty for a run without frames or a store without bolt extremes.
 std::vector<BoltUse> boltUses(const RunSource& run);
 
 }  // namespace keyblock

@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-/// `value` with 17 significant digits, enough to read back the same double; otherwise `nan`, `inf` or `-inf`.
+/// `value` with 17 significant digits, so that reading it back gives the same double; `nan`, `inf` or `-inf` if it is
+/// not finite.
 std::string exactText(double value);
 
 /// Writes a table cell by cell; rows end with a line feed.

@@ -29,7 +29,7 @@ std::optional<EventKind> eventKindOf(std::string_view word);
 /// The outcome for this word; none if there is no such outcome.
 std::optional<Outcome> outcomeOf(std::string_view word);
 
-/// Name of a solved block, given its row; empty if the index does not refer to a block.
+/// Name of a solved block; empty if the index does not refer to a block.
 std::string blockName(const std::vector<std::string>& names, int block);
 
 /// Name of a bolt; empty if the index does not refer to a bolt.

@@ -16,8 +16,8 @@
 
 namespace keyblock {
 
-/// A failure or other discrete event. The forces are given for the state just before the event. An index of −1 means
-/// that the index does not apply.
+/// A failure or other discrete event. The forces are given for the state just before the event. Indices that do not
+/// apply are −1.
 struct Event {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1
@@ -221,8 +221,8 @@ struct HistoryRow {
 
 /// Names of the columns of the history. The columns of the monitors come first, as printed in the history table (e.g.
 /// `crown_ux_m`, `B1_force_N`). Then there is one column for each quantity of every bolt (`BOLT.axial_force`, … in the
-/// order of `BoltQuantity`). It contains the signed value of largest magnitude along the bolt, from which `quantities`
-/// are read.
+/// order of `BoltQuantity`). Each of these contains the signed value of largest magnitude along the bolt, from which
+/// `quantities` are read.
 struct HistoryColumns {
     std::vector<std::string> names;
     int monitorValues = 0;  // number of leading columns shown in the history table

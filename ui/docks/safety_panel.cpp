@@ -28,7 +28,7 @@ constexpr std::size_t mostNamed = 6;  // blocks
 
 SafetyPanel::SafetyPanel(SafetySearch& search, QWidget* parent)
     : QWidget(parent), search_(search), answer_(new QLabel(this)), failure_(new QLabel(this)),
-      progress_(new QProgressBar(this)), start_(new QPushButton(tr("Find factor"), this)),
+      progress_(new QProgressBar(this)), start_(new QPushButton(tr("Find factor of safety"), this)),
       stop_(new QPushButton(tr("Stop"), this)), runs_(new QTreeWidget(this)) {
     setObjectName("safetyPanel");
     setAttribute(Qt::WA_StyledBackground);
@@ -89,7 +89,8 @@ QString SafetyPanel::answer() const {
         return tr("Factor of safety between %1 (stable) and %2 (fails)").arg(number(*found.lower), number(*found.upper));
     if (found.lower) return tr("Factor of safety above %1 (stable)").arg(number(*found.lower));
     if (found.upper) return tr("Factor of safety below %1 (fails)").arg(number(*found.upper));
-    return found.cutShort == Outcome::Stopped ? tr("Stopped before the first run ended") : tr("No factor found");
+    return found.cutShort == Outcome::Stopped ? tr("Stopped before the first run ended")
+                                              : tr("No factor of safety found");
 }
 
 /// How the scene fails at the upper end of the bracket.
@@ -99,7 +100,7 @@ QString SafetyPanel::failure() const {
     QStringList lines;
     if (found.cutShort == Outcome::Stopped) lines << tr("Stopped; this is the bracket found so far.");
     if (found.cutShort == Outcome::Limit) lines << tr("The last run reached a limit set in the scene.");
-    if (found.cutShort == Outcome::Undecided) lines << tr("The runs within the bracket are undecided.");
+    if (found.cutShort == Outcome::Undecided) lines << tr("Stability could not be determined in the last run.");
     if (!found.mode || found.mode->blocks.empty()) return lines.join('\n');
     QStringList blocks;
     for (const MovingBlock& block : found.mode->blocks) {

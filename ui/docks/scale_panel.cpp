@@ -62,8 +62,8 @@ ScalePanel::ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool c
     own_->setObjectName("scaleOwn");
     clip_->setObjectName("scaleClip");
     clip_->setVisible(clips);
-    clip_->setToolTip(tr("Excludes the extreme values in 2 % of the area at each end of the range, "
-                         "for example in slivers."));
+    clip_->setToolTip(tr("Limits the scale to the range from the 2nd to the 98th percentile by area, so that "
+                         "extreme values, for example in slivers, do not determine it."));
     steps_->setObjectName("scaleSteps");
     steps_->setAccessibleName(tr("Colours"));
     for (const int count : stepCounts) steps_->addItem(count == 0 ? tr("Continuous") : tr("%1 steps").arg(count), count);

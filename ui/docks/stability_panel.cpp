@@ -172,7 +172,7 @@ void StabilityPanel::fill() {
         answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: no");
         colour = *verdict.stands ? themes_.current().ok : themes_.current().error;
     } else if (run_) {
-        answer = over ? tr("Stable: undecided") : tr("Stable: not known yet");
+        answer = over ? tr("Stability could not be determined") : tr("Stable: not known yet");
     }
     answer_->setText(answer);
     answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
@@ -244,8 +244,9 @@ QString StabilityPanel::energyText(double joules) const {
 
 QString StabilityPanel::whenText(const BoltPeak& peak) const {
     if (peak.stage < 0) return {};
-    return asTip(tr("Reached in stage %1 at t = %2; position measured from the far end")
-                     .arg(QString::fromStdString(stageName(run_->scene(), peak.stage)), Display::number(peak.time, 4)));
+    const QString stage = QString::fromStdString(stageTitle(run_->scene(), peak.stage));
+    return asTip(tr("Reached in %1 at t = %2; position measured from the far end")
+                     .arg(stage, Display::number(peak.time, 4)));
 }
 
 QString StabilityPanel::namesOf(const std::vector<int>& blocks) const {

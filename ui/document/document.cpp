@@ -56,7 +56,8 @@ private:
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
         document_.undo_->resetClean();
         Q_EMIT document_.reported(
-            Document::tr("The scene saved for “%1” cannot be read from the journal; the drawing is unchanged.")
+            Document::tr("The scene stored with the step “%1” cannot be read from the journal. The current scene is "
+                         "unchanged.")
                 .arg(text()),
             true);
     }

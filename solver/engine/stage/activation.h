@@ -21,12 +21,12 @@ namespace keyblock {
 void leaveOut(const Model& model, State& state, int bolt);
 
 /// Excavates blocks and cells.
-/// \param rows the rows of the model's blocks.
+/// \param rows the indices of the blocks in `Model::blocks`.
 /// \return the last accepted forces that they exerted on the remaining blocks and bolts.
 std::vector<WallForce> excavate(const Model& model, State& state, const std::vector<int>& rows);
 
-/// Installs a bolt in the rock at its current position, straight, unstressed and bonded to the blocks that it crosses.
-/// The bolt lies on the line through the displaced ends of its borehole and has the length given in the scene.
+/// Installs a bolt, straight, unstressed and bonded to the blocks that it crosses in their current positions. The bolt
+/// lies on the line through the displaced ends of its borehole and has the length given in the scene.
 void installBolt(const Model& model, State& state, int bolt);
 
 /// Removes a bolt and its plate; their stored energy is accounted for as released.

@@ -17,9 +17,9 @@
 namespace keyblock {
 
 /// All force carriers in the order in which they add links to a step; damping follows the links that it damps. Limits
-/// and energies are listed from the last row to the first, so that if a bolt and a joint are equally overloaded the
-/// bolt is released first. Summation follows these orders, so results depend on them in the last digit. A carrier that
-/// adds nothing in a scene does not affect the results of that scene.
+/// and energies are listed from the last carrier to the first, so that if a bolt and a joint are equally overloaded,
+/// the bolt is released first. Summation follows these orders, so results depend on them in the last digit. A carrier
+/// that adds nothing in a scene does not affect the results of that scene.
 inline constexpr std::array<const Carrier*, 6> carriers{&contactCarrier, &glueCarrier,    &supportCarrier,
                                                         &boltCarrier,    &dampingCarrier, &boundaryCarrier};
 

@@ -32,10 +32,10 @@ class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);
 
-    /// Prepares the state for the first step without advancing time. Contacts that touch but carry no force yet, and
-    /// the stresses of their blocks, are preloaded consistently with the initial accelerations (theory, "The start of a
-    /// motion"). Driven blocks get the velocity of their prescribed motion, and the scheme gets its initial
-    /// accelerations if it uses them.
+    /// Prepares the state for the first step without advancing time. If any touching contact carries no force yet,
+    /// contact forces and block stresses that are consistent with the initial accelerations are stored as preload
+    /// (theory, "The start of a motion"). Driven blocks get the velocity of their prescribed motion. Initial
+    /// accelerations are calculated if the time scheme uses them.
     StepEnding begin(State& state);
 
     /// Advances the state by one accepted step, not beyond `end`, and updates `time`.

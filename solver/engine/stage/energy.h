@@ -13,7 +13,7 @@ namespace keyblock {
 StoredEnergy storedEnergy(const Model& model, const State& state);
 
 /// Kinetic plus strain energy of a block [J].
-/// \param row the row of the model's blocks.
+/// \param row the index of the block in `Model::blocks`.
 double energyOfBlock(const Model& model, int row, const BlockMotion& motion);
 
 /// All energies and the relative error of their balance.

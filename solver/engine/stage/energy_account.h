@@ -13,7 +13,7 @@
 namespace keyblock {
 
 /// Adds the energies of a dynamic step to the ledger before the step is accepted: the work of loads and prescribed
-/// motions, the energy that the time scheme dissipates in laws and blocks, and the energy dissipated by damping.
+/// motions, the energy that the time scheme dissipates in links and blocks, and the energy dissipated by damping.
 /// \param external the generalised loads of the step [N]; \param d the displacement over the step.
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options);

@@ -31,12 +31,12 @@ struct LoadPath {
     const LoadPoint& at;
 };
 
-/// Moves the state to equilibrium. If there is none, or the search is undecided, the state is left with the blocks at
-/// the positions that they have reached.
+/// Moves the state to equilibrium. If there is none, or the search ends without a verdict, the blocks are left at the
+/// positions that they have reached.
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings);
 
-/// Largest prescribed displacement in one search [m].
+/// Largest prescribed displacement allowed in one search for equilibrium [m].
 double longestMoveOf(const Model& model);
 
 }  // namespace keyblock

@@ -44,7 +44,7 @@ public:
     /// True if a block has moved noticeably and is still accelerating, as when other blocks have set it in motion.
     bool follows(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// Rows of the blocks that are too small to be considered and that are falling or have moved by more than their
+    /// Indices of the blocks that are too small to be considered and that are falling or have moved by more than their
     /// size.
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 

@@ -24,7 +24,7 @@ struct RestForces {
 };
 
 /// Reference forces of all bodies at rest in `state`.
-/// \param problem a step at rest from `state`, with friction limits that match the forces in `state`.
+/// \param problem a step from rest in `state`, with friction limits that match the forces in `state`.
 /// \param weightPerMass the result of the function `weightPerMass` [m/s²]; 0: no gravity or body acceleration.
 RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass);
 

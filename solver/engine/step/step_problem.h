@@ -18,8 +18,9 @@ namespace keyblock {
 enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
                       Drag };
 
-/// Link between two bodies, or acting on a single body: strain(D) = strain + shift + ga·D[a] + gb·D[b]. The gradients
-/// come last so that the data read by loops over the laws are contiguous.
+/// Link between two bodies, or acting on a single body. With the displacements D[a] and D[b] of the bodies over the
+/// step, its strain is strain + shift + ga·D[a] + gb·D[b]. The gradients come last so that the data read by loops over
+/// the laws are contiguous.
 struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b is −1 if the link acts on one body only

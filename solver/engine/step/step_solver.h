@@ -35,7 +35,7 @@ struct SolveReport {
 /// Solver for steps. It keeps the matrix pattern, the ordering and the factor from step to step.
 class StepSolver {
 public:
-    /// Solves the step. The solution starts from `d` or from zero displacement, whichever has the smaller residual once
+    /// Solves the step. Iteration starts from `d` or from zero displacement, whichever has the smaller residual once
     /// the prescribed values have been inserted. On return, `d` is the solution, and `problem` contains the friction
     /// limits for this displacement.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,

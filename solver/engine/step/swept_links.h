@@ -31,14 +31,14 @@ public:
 
     std::size_t count() const { return rows_.size(); }
 
-    /// Index in `StepProblem::links` of the link in row n.
+    /// Index of swept link n in `StepProblem::links`.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
     /// Sets the force on the blocks from everything except the swept links (padded): loads, prescribed displacements
     /// and bolt links. It is constant during the sweeps.
     void hold(const Eigen::VectorXd& outer);
 
-    /// Limits each force [N] to the range that its law allows. There is one force per row, not multiplied by
+    /// Limits each force [N] to the range that its law allows. There is one force per swept link, not multiplied by
     /// `Law::share`.
     void clip(std::vector<double>& forces);
 
@@ -54,17 +54,17 @@ public:
 
     /// Sets each force in turn to the value given by its law, taking into account the block displacements that the
     /// force itself causes.
-    /// \param changes receives the force changes, one per row.
+    /// \param changes receives the force changes, one per swept link.
     /// \pre the blocks are in equilibrium under the forces passed in.
     Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
 
-    /// Friction limit of row n under these forces [N].
+    /// Friction limit of swept link n under these forces [N].
     double limit(std::size_t n, const std::vector<double>& forces) const;
 
-    /// Strain at which the law of row n gives `force`; if the law is flat there, any such strain.
+    /// Strain at which the law of swept link n gives `force`; if the law is flat there, any such strain.
     double strain(std::size_t n, double force) const;
 
-    /// Tangent of the law of row n while the contact is neither sliding nor open.
+    /// Tangent of the law of swept link n while the contact is neither sliding nor open.
     double tangent(std::size_t n) const;
 
 private:

@@ -68,7 +68,8 @@ Eigen::VectorXd inertiaForce(const Model& model, const State& state, const Schem
                              const Eigen::VectorXd& d);
 
 /// Sets the velocities of all bodies at the end of the step. The work that accelerates driven bodies and the energy
-/// dissipated by the scheme are added to the energy balance. A prescribed unknown gets the velocity D/Δt.
+/// dissipated by the scheme are added to the energy balance. The velocity of a prescribed unknown is its displacement
+/// in `d` divided by the length of the step.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options);
 

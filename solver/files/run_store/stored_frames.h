@@ -18,7 +18,7 @@ namespace keyblock {
 class StoredFrames {
 public:
     /// \param solved the stored scene in the form in which it was solved, i.e. after it was cut.
-    /// \param blocks the number of block rows in each frame.
+    /// \param blocks the number of solved blocks.
     StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks);
 
     /// Reads a frame; may be called from any thread.

@@ -229,9 +229,11 @@ void AnchorStrip::refresh() {
     count_->setText(tr("%1 bonded · %2 intermediate").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
-    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own bonded nodes.")
-                   : bolt->anchors ? tr("Set for this bolt. Click or drag along the bolt to change them.")
-                                   : tr("Set by the bolt type. Click or drag along the bolt to change them."));
+    hint_->setText(
+        pattern ? tr("Set by the bolt type. Only bolts that are not in a pattern can have their own bonded nodes.")
+        : bolt->anchors
+            ? tr("Set for this bolt. Click a node to toggle it, or drag along the bolt to toggle several.")
+            : tr("Set by the bolt type. Click a node to toggle it, or drag along the bolt to toggle several."));
 }
 
 void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
@@ -246,7 +248,7 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     bolt.anchors =
         withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
     const QString name = QString::fromStdString(bolt.name);
-    const QString step = real ? tr("Make nodes of %1 bonded") : tr("Make nodes of %1 unbonded");
+    const QString step = real ? tr("Set nodes of %1 to bonded") : tr("Set nodes of %1 to unbonded");
     context_.document.apply(step.arg(name), std::move(after));
 }
 

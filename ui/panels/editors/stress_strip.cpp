@@ -44,7 +44,7 @@ StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     problem_->setProperty("role", "problem");
     problem_->setWordWrap(true);
     problem_->hide();
-    auto* fillIn = new QPushButton(tr("Fill in the fields below"), this);
+    auto* fillIn = new QPushButton(tr("Calculate in-situ stress"), this);
     fillIn->setObjectName("stress.apply");
     fillIn->setAccessibleName(fillIn->text());
     auto* column = new QVBoxLayout(this);
@@ -102,7 +102,7 @@ void StressStrip::fill() {
 void StressStrip::nameFields() {
     const QString sign = context_.display.compressionPositive() ? tr("compression +") : tr("tension +");
     const QStringList names{tr("Ground surface elevation"), tr("Unit weight"), tr("K0 = σh / σv"),
-                            tr("σ1, %1").arg(sign), tr("σ3, %1").arg(sign), tr("Angle of σ1 from x")};
+                            tr("σ1, %1").arg(sign), tr("σ3, %1").arg(sign), tr("Angle of σ1 from x axis")};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const QString unit = context_.display.shown(fields_[i].unit).symbol;
         fields_[i].name->setText(unit.isEmpty() ? names[int(i)] : tr("%1 [%2]").arg(names[int(i)], unit));

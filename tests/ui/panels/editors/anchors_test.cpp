@@ -81,7 +81,7 @@ TEST(AnchorStrip, ClickUnbondsANodeAndUndoBondsItAgain) {
     QTest::mouseClick(&line, Qt::LeftButton, {}, line.placeOf(6).toPoint());
     ASSERT_TRUE(document.scene()->bolts[0].anchors);
     EXPECT_EQ(std::ranges::count(strip.line().real(), false), 1);
-    EXPECT_TRUE(document.undo().undoText().startsWith("Make nodes of"));
+    EXPECT_TRUE(document.undo().undoText().startsWith("Set nodes of"));
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
     EXPECT_FALSE(hasErrors(document.checked().problems));
     document.undo().undo();
