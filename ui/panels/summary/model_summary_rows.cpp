@@ -61,7 +61,7 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
                         SummaryTexts::tr("between cells")});
     if (counts.heldPoints > 0)
         rows.push_back({SummaryTexts::tr("Supported points"), number(counts.heldPoints), "0",
-                        SummaryTexts::tr("from the supports")});
+                        SummaryTexts::tr("defined by the supports of the scene")});
     const std::size_t stages = summary.estimate.stages.size();
     rows.push_back({SummaryTexts::tr("Total"), {}, number(counts.unknowns()),
                     stages == 0   ? SummaryTexts::tr("no stages to run")
