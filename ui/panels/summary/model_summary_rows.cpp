@@ -55,7 +55,7 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
         rows.push_back({SummaryTexts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),
             SummaryTexts::tr("each is a separate block")});
     rows.push_back({SummaryTexts::tr("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
-        SummaryTexts::tr("at the start; springs add no unknowns")});
+        SummaryTexts::tr("at the start; contact springs add no unknowns")});
     if (counts.gluedEdges > 0)
         rows.push_back({SummaryTexts::tr("Glued edges"), number(counts.gluedEdges), "0",
                         SummaryTexts::tr("between cells")});
