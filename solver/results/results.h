@@ -232,7 +232,7 @@ struct HistoryColumns {
 
 enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed, Displaced, Undecided };
 
-/// How an unstable block moves; `Follows`: set in motion by other blocks.
+/// How an unstable block moves. `Follows` means that other blocks set it in motion.
 enum class Movement { Slides, Falls, Topples, Follows };
 
 /// Movement of an unstable block, or of the block with the largest displacement.
@@ -269,7 +269,8 @@ struct Health {
     bool operator==(const Health&) const = default;
 };
 
-/// Diagnostics of the latest step, for observers; the run does not depend on them. −1: no such block.
+/// Diagnostics of the latest step, for observers; the run does not depend on them. Block indices are −1 if there
+/// is no such block.
 struct StepHealth {
     int passes = 0;  // iterations
     int worst = -1;  // block with the largest relative unbalanced force
@@ -296,7 +297,7 @@ struct StageResult {
     bool operator==(const StageResult&) const = default;
 };
 
-/// All results of a run, kept in memory (tests, verification); the run store keeps the same data on disk.
+/// All results of a run, kept in memory for tests and verification; the run store keeps the same data on disk.
 struct Results {
     HistoryColumns columns;
     std::vector<HistoryRow> history;

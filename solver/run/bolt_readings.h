@@ -20,7 +20,8 @@ double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
 /// Axial force [N] at which the bond of a node fails at its current embedment and confinement, i.e. the peak of the
-/// bond law. It is 0 for an artificial anchor, outside rock, after loss of the bond, or if the bond has no limit.
+/// bond law. It is 0 for an artificial anchor, for a node outside the rock, after the bond has failed, and if the bond
+/// has no limit.
 double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node);
 
 /// A bolt in the form stored in a frame, without its elastic energy.

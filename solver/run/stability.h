@@ -34,8 +34,8 @@ StageStart startOfStage(const Model& model, const State& state);
 /// Records the positions at 80 % and 90 % of a dynamic stage once these times are reached.
 void mark(StageStart& start, const State& state, double time, double duration);
 
-/// Finds the unstable blocks at the end of a stage. The lists are in row order, except for the list that `collapsed`
-/// returns.
+/// Finds the unstable blocks at the end of a stage. Except for the list that `collapsed` returns, the lists
+/// are in order of block index.
 class Stability {
 public:
     /// \param loads the loads of the stage. Blocks moved by prescribed motions or dilations of the stage, and all
@@ -55,8 +55,8 @@ public:
     /// dynamic stage.
     std::vector<UnstableBlock> moving() const;
 
-    /// Of the blocks that the stability verdict considers, the one that moved the most relative to its size; row −1 if
-    /// there is none.
+    /// Of the blocks that the stability verdict considers, the one that moved the most relative to its size; `block` is
+    /// −1 if there is none.
     UnstableBlock farthest() const;
 
     /// Blocks removed in this stage because they are too small to affect the verdict.

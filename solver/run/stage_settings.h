@@ -17,9 +17,9 @@ StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
 /// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once;
-/// every entry of a load table is included. If the stage does not set the number of increments, their lengths are
-/// chosen during the run. The result then contains only the times at which an increment must end: the entries of load
-/// tables and the times at which `output` requests a frame.
+/// the times of all entries of load and motion tables are included. If the stage does not set the number of increments,
+/// their lengths are chosen during the run. The result then contains only the times at which an increment must end:
+/// those of the table entries and those at which `output` requests a frame.
 /// \param loads the loads, for which `begin` has been called with this stage.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 

@@ -22,11 +22,12 @@ double automaticUnbalanced(const Scene& scene);
 /// Longest time step [s] of a dynamic stage that does not set one.
 double automaticTimeStep(const Stage& stage);
 
-/// Second moment of area [m⁴] of a tube with diameter d and area A, π/64·(d⁴ − d_i⁴) with d_i² = d² − 4A/π, or of a
-/// solid bar, π·d⁴/64.
+/// Second moment of area [m⁴]: π/64·d⁴ for a solid bar of diameter d; π/64·(d⁴ − d_i⁴) for a tube of area A with the
+/// outer diameter d and the inner diameter d_i, where d_i² = d² − 4A/π.
 double automaticSecondMoment(const BoltType& type);
 
-/// Plastic section modulus [m³] of a tube, (d³ − d_i³)/6 with d_i as for the second moment, or of a solid bar, d³/6.
+/// Plastic section modulus [m³]: d³/6 for a solid bar, (d³ − d_i³)/6 for a tube, with d and d_i as in
+/// `automaticSecondMoment`.
 double automaticPlasticModulus(const BoltType& type);
 
 /// Young's modulus [Pa]: slope of the first segment of `steel`, or 200 GPa if there is no `steel`.

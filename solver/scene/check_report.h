@@ -102,12 +102,12 @@ void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer
 /// \param block the index of the block; −1 is ignored.
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
-/// Index of the block that contains a `block_at` point; −1 if there is none. The latter is reported as an error, unless
-/// some blocks are invalid.
+/// Index of the block that contains a `block_at` point; −1 if there is none, which is reported as an error unless some
+/// blocks are invalid.
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);
 
-/// Index of the block that contains a point, inside or on its boundary; −1 if there is none. The latter is reported as
-/// an error, unless some blocks are invalid.
+/// Index of the block that contains a point, inside or on its boundary; −1 if there is none, which is reported as an
+/// error unless some blocks are invalid.
 int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer);
 
 /// Reports an axis of zero length.

@@ -56,7 +56,8 @@ struct Range {
     bool mostExcluded = false;
 };
 
-/// Condition for a field: the value of another field of the same object is one of these words, or is not null.
+/// Condition for a field: the value of the field `key` of the same object is one of `words` or, if `words` is empty, is
+/// not null.
 struct Only {
     std::string_view key{};
     std::vector<std::string_view> words{};  // empty: the field `key` only has to be given

@@ -132,7 +132,7 @@ struct Block {
     bool operator==(const Block&) const = default;
 };
 
-/// Region of the section that is cut into blocks.
+/// The domain of the section: a polygon whose interior is cut into blocks.
 struct SceneDomain {
     std::vector<Point> boundary;  // corners [m], clockwise or counter-clockwise
     std::string material;

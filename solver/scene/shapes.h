@@ -26,8 +26,8 @@ const SceneRegion* findRegion(const Scene& scene, const std::string& name);
 /// Index of the tunnel with this name; −1 if there is none.
 int findTunnel(const Scene& scene, const std::string& name);
 
-/// Index of the joint material of a joint: the material named by the joint, otherwise the material of the domain,
-/// otherwise the first one of the scene; `builtInJoint` if there is none.
+/// Index of the joint material of a joint: the material named by the joint; if it names none, that of the domain; if
+/// the domain has none, the first one of the scene. `builtInJoint` if this material does not exist.
 /// \param name the joint material named by the joint, if any
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);

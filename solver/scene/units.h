@@ -16,8 +16,8 @@
 
 namespace keyblock {
 
-/// A unit, equal to `up`/`down` times the SI unit of the same dimensions (from m, kg, s and rad). The factor is stored
-/// as a fraction, so that 25 mm is exactly 0.025 m.
+/// A unit, equal to `up`/`down` times the SI unit of the same dimensions (composed of m, kg, s and rad). The factor is
+/// stored as a fraction, so that 25 mm is exactly 0.025 m.
 struct Unit {
     double up = 1.0, down = 1.0;
     std::array<int, 4> powers{};  // exponents of metre, kilogram, second and radian

@@ -20,8 +20,8 @@ struct ModeSetting {
 };
 
 /// Amplitude of the mode at each step as integrated by the program, starting at rest with amplitude 1. It is the
-/// normalised stress of a free block with an unbalanced initial stress. With Poisson's ratio 0 and the consistent mass
-/// ρw³h/12, ω² = 12E/(ρw²).
+/// normalised stress of a free block with an unbalanced initial stress. For a block of width w, height h and Poisson's
+/// ratio 0, the stiffness Ewh and the consistent mass ρw³h/12 give the angular frequency ω with ω² = 12E/(ρw²).
 std::vector<double> modeSeries(const ModeSetting& setting);
 
 /// Amplitude of the mode at each step according to the formulas of the scheme for one mass on one spring, starting at

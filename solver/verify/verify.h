@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// One number of a case and its expected value.
+/// A measured value of a case, with its expected value.
 struct CaseResult {
     std::string name;  // name of the case
     std::string quantity;  // quantity measured, with its unit

@@ -51,7 +51,7 @@ public:
     /// Sets the style. True: plain rock with lighter joints, for drawing. False: coloured results.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Shows or hides the legend. It is hidden if the legend of a neighbouring canvas applies to both.
+    /// Shows or hides the legend. Hide it if the legend of a neighbouring canvas applies to both.
     void setLegend(bool legend);
     /// Outlines a block and shows its call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);

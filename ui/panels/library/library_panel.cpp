@@ -256,7 +256,7 @@ void LibraryPanel::showButtons() {
     assign_->setText(bolts.size() == 1 ? tr("Assign to %1").arg(QString::fromStdString(
                                              nameAt(*context_.document.scene(), bolts.front().toStdString())))
                      : bolts.isEmpty() ? tr("Assign") : tr("Assign to selection (%1)").arg(bolts.size()));
-    assign_->setToolTip(bolts.isEmpty() ? tr("Select bolts or patterns first") : QString());
+    assign_->setToolTip(bolts.isEmpty() ? tr("Select bolts or bolt patterns first") : QString());
     copy_->setEnabled(!chosen_.isEmpty());
 }
 
@@ -285,7 +285,7 @@ void LibraryPanel::assign() {
         if (edit.done())
             edit = setValueAt(std::move(edit.scene), pointer.toStdString() + "/type", chosen_.toStdString());
     const QString to = bolts.size() == 1 ? QString::fromStdString(nameAt(edit.scene, bolts.front().toStdString()))
-                                         : tr("%1 bolts and patterns").arg(bolts.size());
+                                         : tr("%1 bolts and bolt patterns").arg(bolts.size());
     context_.document.apply(tr("Assign %1 to %2").arg(chosen_, to), std::move(edit));
 }
 

@@ -118,8 +118,8 @@ bool sameLaw(Anchor a, const Anchor& b) {
 
 QString lawTitle(const Anchor& anchor) {
     const QString law = fromUtf8(rowOf(anchor.law).title);
-    return anchor.at || anchor.per == Per::Node ? LibraryTexts::tr("Bond per node, %1").arg(law)
-        : LibraryTexts::tr("Bond per metre, %1").arg(law);
+    return anchor.at || anchor.per == Per::Node ? LibraryTexts::tr("Bond per node (%1)").arg(law)
+        : LibraryTexts::tr("Bond per metre (%1)").arg(law);
 }
 
 double farthestSlip(const Anchor& written) {

@@ -18,11 +18,13 @@ struct RemedyTexts {
     Q_DECLARE_TR_FUNCTIONS(Remedies)
 };
 
+/// The only list elements with this repair are repeated corners of outlines.
 std::optional<Remedy> omit(const Scene& scene, const std::string& pointer) {
     const auto place = locate(scene, pointer);
     if (!place || !place->field) return std::nullopt;
     if (place->element)
-        return Remedy{RemedyTexts::tr("Remove it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+        return Remedy{RemedyTexts::tr("Remove the corner"),
+                      [pointer](const Scene& now) { return removeAt(now, pointer); }};
     return Remedy{RemedyTexts::tr("Reset to default"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
 }
 
@@ -47,11 +49,11 @@ std::optional<Remedy> remedyFor(const Scene& scene, const Problem& problem) {
         case RepairKind::AddStage:
             return Remedy{RemedyTexts::tr("Add a stage"), [pointer](const Scene& now) { return appendAt(now, pointer); }};
         case RepairKind::Rename:
-            return Remedy{RemedyTexts::tr("Rename it"), [pointer](const Scene& now) {
+            return Remedy{RemedyTexts::tr("Assign a new name"), [pointer](const Scene& now) {
                               return renameAt(now, pointer, nameOfCopy(now, parentOf(pointer), nameAt(now, pointer)));
                           }};
         case RepairKind::SetAutomatic:
-            return Remedy{RemedyTexts::tr("Set automatically"),
+            return Remedy{RemedyTexts::tr("Use automatic value"),
                           [pointer](const Scene& now) { return setNullAt(now, pointer); }};
         case RepairKind::RemovePlate:
             return Remedy{RemedyTexts::tr("Remove the plate"),

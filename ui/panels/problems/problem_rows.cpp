@@ -121,10 +121,10 @@ private:
         if (slivers.count == 0) return;
         ProblemRow row;
         row.sign = ProblemRow::Sign::Warning;
-        row.title = slivers.count == 1 ? RowTexts::tr("A sliver is kept")
-                                       : RowTexts::tr("%1 slivers are kept").arg(slivers.count);
-        row.detail = RowTexts::tr("Narrower than %1; total area %2. Slivers slow down every step. "
-                               "The default limits merge them.")
+        row.title = slivers.count == 1 ? RowTexts::tr("1 sliver not merged")
+                                       : RowTexts::tr("%1 slivers not merged").arg(slivers.count);
+        row.detail = RowTexts::tr("Narrower than %1 or very small; total area %2. Slivers slow down every step. "
+                               "With the default limits, they would be merged.")
                          .arg(measure(slivers.width, "m"), measure(slivers.area, "m²"));
         row.box = slivers.box;
         row.where = where(row.box, RowTexts::tr("cut"));
@@ -155,7 +155,8 @@ private:
         row.sign = ProblemRow::Sign::Report;
         row.title = cut.blocks == 1 ? RowTexts::tr("Cut report: 1 block")
                                    : RowTexts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
-        if (cut.open > 0) row.title += RowTexts::tr(", %1 removed inside tunnels open from the start").arg(cut.open);
+        if (cut.open > 0)
+            row.title += RowTexts::tr("; %1 more omitted in tunnels that are open from the start").arg(cut.open);
         row.detail = counts(kinds);
         row.where = RowTexts::tr("whole section");
         if (!kinds.empty()) row.link = reportIsOpen_ ? RowTexts::tr("Hide report") : RowTexts::tr("Show report");

@@ -77,7 +77,7 @@ FieldHelp helpOf(const FormRow& row, const FormContext& context) {
     if (number || row.field->kind == FieldKind::Place) parts << rangeWords(row.field->range, unit, context.display);
     if (row.resettable) {
         const QString text = fallbackText(row, unit, context);
-        if (!text.isEmpty()) parts << HelpTexts::tr("default %1").arg(text);
+        if (!text.isEmpty()) parts << HelpTexts::tr("default: %1").arg(text);
     }
     parts.removeAll(QString());
     help.numbers = parts.join(QString::fromUtf8(" · "));

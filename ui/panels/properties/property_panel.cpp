@@ -101,7 +101,7 @@ QWidget* PropertyPanel::makeHeader() {
     pin_ = new QToolButton(header);
     pin_->setCheckable(true);
     pin_->setFixedSize(22, 22);
-    pin_->setToolTip(tr("Keep these properties shown when the selection changes"));
+    pin_->setToolTip(tr("Keep showing these properties when the selection changes"));
     pin_->setAccessibleName(tr("Pin properties"));
     connect(pin_, &QToolButton::toggled, this, &PropertyPanel::follow);
     line->addWidget(title_, 1);

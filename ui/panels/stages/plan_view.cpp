@@ -48,12 +48,13 @@ int PlanModel::columnCount(const QModelIndex& parent) const { return parent.isVa
 QVariant PlanModel::data(const QModelIndex& index, int role) const {
     const PlanRow& row = planRow(index.row());
     const PlanCell& cell = row.cells[index.column()];
-    const QString there = cell.there ? tr("in place") : row.isBolt ? tr("not in place") : tr("open");
+    const QString there = row.isBolt ? (cell.there ? tr("in place") : tr("not in place"))
+                                     : (cell.there ? tr("not excavated") : tr("excavated"));
     const QString word = eventWord(cell).isEmpty() ? there : eventWord(cell);
     if (role == Qt::AccessibleTextRole)
         return QString("%1 %2: %3").arg(QString::fromStdString(row.name), stages_[index.column()], word);
     if (role == Qt::ToolTipRole)
-        return tr("%1 in %2: %3. Click to change it.")
+        return tr("%1 in %2: %3. Click to change.")
             .arg(QString::fromStdString(row.name), stages_[index.column()], word);
     return {};
 }

@@ -130,7 +130,7 @@ void ModelSummaryPanel::placeCosts() {
 
 void ModelSummaryPanel::makeRunButton() {
     run_ = new QPushButton(costs_);
-    run_->setAccessibleName(tr("Run from the model summary"));
+    run_->setAccessibleName(tr("Run the scene"));
     run_->setEnabled(false);
     const auto name = [this] {
         const QString keys = commands_.has("run.start") ? keysOf(*commands_.action("run.start")) : QString();

@@ -55,13 +55,13 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
         rows.push_back({SummaryTexts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),
             SummaryTexts::tr("each is a separate block")});
     rows.push_back({SummaryTexts::tr("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
-        SummaryTexts::tr("at the start; springs add no unknowns")});
+        SummaryTexts::tr("at the start; contact springs add no unknowns")});
     if (counts.gluedEdges > 0)
         rows.push_back({SummaryTexts::tr("Glued edges"), number(counts.gluedEdges), "0",
                         SummaryTexts::tr("between cells")});
     if (counts.heldPoints > 0)
         rows.push_back({SummaryTexts::tr("Supported points"), number(counts.heldPoints), "0",
-                        SummaryTexts::tr("from the supports")});
+                        SummaryTexts::tr("defined by the supports of the scene")});
     const std::size_t stages = summary.estimate.stages.size();
     rows.push_back({SummaryTexts::tr("Total"), {}, number(counts.unknowns()),
                     stages == 0   ? SummaryTexts::tr("no stages to run")

@@ -297,7 +297,8 @@ void SceneTree::openMenu(const QPoint& place) {
     const QString id = node.id;
     QMenu menu(this);
     if (node.isObject) {
-        if (node.hasPlace) menu.addAction(tr("Zoom to"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
+        if (node.hasPlace)
+            menu.addAction(tr("Zoom to selection"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
         if (node.canRename)
             menu.addAction(tr("Rename\tF2"), this, [this, at = QPersistentModelIndex(index)] {
                 if (at.isValid()) view_->edit(at);  // the tree may have been rebuilt while the menu was open

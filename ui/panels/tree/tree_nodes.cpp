@@ -242,7 +242,7 @@ private:
 
     void addResults(TreeNode& root) {
         auto node = heading("#results", NodeTexts::tr("Results"), "result", false);
-        node->detail = source_.runs.empty() ? NodeTexts::tr("no run yet") : QString();
+        node->detail = source_.runs.empty() ? NodeTexts::tr("no runs yet") : QString();
         for (const RunRow& run : source_.runs) {
             auto row = heading("#run/" + run.id, run.name, run.icon.isEmpty() ? "result" : run.icon, false);
             row->detail = run.detail;

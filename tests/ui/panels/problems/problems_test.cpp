@@ -124,7 +124,7 @@ TEST(Problems, LinkOmitsARepeatedCorner) {
     scene.domain->boundary.push_back(scene.domain->boundary.front());
     const std::size_t corners = scene.domain->boundary.size();
     ProblemsBench bench(std::move(scene));
-    EXPECT_TRUE(isSolvedByLink(bench, "the last corner repeats the first", "Remove it"));
+    EXPECT_TRUE(isSolvedByLink(bench, "the last corner repeats the first", "Remove the corner"));
     EXPECT_EQ(bench.document.scene()->domain->boundary.size(), corners - 1);
 }
 
@@ -137,7 +137,7 @@ TEST(Problems, LinkLeavesTheTimeStepToTheProgram) {
     stage.duration = 0.1;
     stage.timeStep = 0.2;
     ProblemsBench bench(std::move(scene));
-    EXPECT_TRUE(isSolvedByLink(bench, "the time step is longer than the stage", "Set automatically"));
+    EXPECT_TRUE(isSolvedByLink(bench, "the time step is longer than the stage", "Use automatic value"));
     EXPECT_FALSE(bench.document.scene()->stages.back().timeStep);
 }
 
