@@ -61,7 +61,7 @@ QWidget* RecoveryBox::makeLinks() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
     auto* all = link("Recover", tr("Recover"), tr("Opens the scene with all edits, which can still be undone."), links);
-    auto* less = link("Without the last command", tr("Recover without last command"),
+    auto* less = link("Without the last command", tr("Recover without last edit"),
                       tr("Omits “%1”, in case it caused the crash.").arg(abandoned_.lastStep), links);
     auto* none = link("Discard", tr("Discard"), tr("Deletes these edits permanently."), links);
     connect(all, &QPushButton::clicked, this, [this] { Q_EMIT recoverWanted(abandoned_, Recover::Everything); });
