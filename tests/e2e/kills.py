@@ -177,7 +177,7 @@ class Kills:
     def check_recovery(self, name, label, kill, scene_file, home, moves, count):
         with open(self.sample(name), encoding="utf-8") as file:
             first = place_in(json.load(file))
-        for button, changes in (("Recover", count), ("Without the last command", count - 1)):
+        for button, changes in (("Recover", count), ("Recover without last edit", count - 1)):
             shutil.copy(self.sample(name), scene_file)
             # Every second time the next start opens a file, as from a file manager.
             found = self.user("recover", self.studio, scene_file, button, "file" if kill % 2 else "page", home)

@@ -50,8 +50,8 @@ public:
 
     /// Sets the style. True: plain rock with lighter joints, for drawing. False: coloured results.
     void setDrawing(bool drawing);
-    void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Shows or hides the legend. Hide it if the legend of a neighbouring canvas applies to both.
+    void setSelectedBolts(const std::vector<int>& bolts);  // indices of bolts in the scene
+    /// Shows or hides the legend. It is hidden if the legend of a neighbouring canvas applies to both.
     void setLegend(bool legend);
     /// Outlines a block and shows its call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
@@ -65,7 +65,8 @@ public:
     const CanvasMap& map() const { return map_; }
     /// Zooms to the tunnels and bolts or, if the view shows them already, to the whole model.
     void fit();
-    /// Zooms to a box. Like a fitted view, it is kept when the canvas is resized, until the user pans or zooms.
+    /// Zooms to a box. Like a fitted view, the box stays in view when the canvas is resized, until the user pans or
+    /// zooms.
     void zoomTo(const Box& box);
     void zoomBy(double factor, const QPointF& pixel);
     void panBy(const QPointF& pixels);

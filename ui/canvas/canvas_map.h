@@ -31,7 +31,7 @@ public:
     /// Copies the centre and the scale of another map.
     void lookAs(const CanvasMap& other);
     void panBy(const QPointF& pixels);
-    /// Zooms by a factor about the point under `pixel`, which stays in place. The scale is limited to 1e-4 … 1e7 px/m.
+    /// Zooms by a factor, keeping the point under `pixel` fixed. The scale is limited to 1e-4 … 1e7 px/m.
     void zoomBy(double factor, const QPointF& pixel);
 
 private:

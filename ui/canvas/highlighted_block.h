@@ -11,7 +11,7 @@ namespace keyblock {
 
 /// The highlighted block and the text of its call-out.
 struct HighlightedBlock {
-    int block = -1;  // row of the solved blocks
+    int block = -1;  // index among the solved blocks
     QString head, detail;  // "Block 143", "10 open–close iterations"
 
     bool operator==(const HighlightedBlock&) const = default;

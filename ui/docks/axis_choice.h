@@ -23,8 +23,8 @@ public:
 
     /// Lists the quantities of a run. The current choice is kept if the new run has the same quantities.
     void offer(const RunSource& run);
-    /// Names of the quantities on the two axes, as in `allSeries`. `x` is empty for time; `y` is empty if there is no
-    /// quantity to choose.
+    /// Names of the quantities on the two axes, as in `allSeries`. `x()` is empty for time; `y()` is empty if there is
+    /// no quantity to choose.
     std::string y() const;
     std::string x() const;
 

@@ -48,8 +48,8 @@ struct CurveReading {
     RunTime time;
 };
 
-/// Reads the curves. The time needed grows with the number of history rows. Does not throw: `problem` of the entries
-/// holds the error message.
+/// Reads the curves. The time needed grows with the number of history rows. Does not throw: errors are reported in
+/// `problem` of the entries.
 CurveReading readCurves(const CurveOrder& order);
 
 /// The charts of the run itself, without pins.

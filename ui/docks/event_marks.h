@@ -19,7 +19,7 @@ struct Theme;
 QString nameOf(EventGroup group);  // e.g. "yield"
 QString nameOf(EventKind kind);  // e.g. "plastic hinge"
 
-/// Draws the mark, centred at `at`, in its size on the screen.
+/// Draws the mark at its on-screen size, centred at `at`.
 void drawEventMark(QPainter& painter, const Theme& theme, EventMark mark, const QPointF& at);
 
 }  // namespace keyblock

@@ -18,7 +18,7 @@ class RunWarning : public ElidedLabel {
 public:
     RunWarning(const Themes& themes, const TimeCursor& cursor, QWidget* parent = nullptr);
 
-    /// Turns the line on or off; it is off while the window shows the drawing.
+    /// Turns the warning line on or off; it is off while the window shows the drawing.
     void setOn(bool on);
 
 private:

@@ -38,7 +38,8 @@ public:
     /// To be called by a job: true if a newer request replaces this job, or its result is no longer wanted.
     bool isOvertaken() const { return overtaken_; }
 
-    /// For a job whose result is wanted even if a newer request follows: true once the result is no longer wanted.
+    /// For a job that should finish even if a newer request follows: true once this object is being destroyed, so that
+    /// the result is no longer wanted.
     const std::atomic<bool>& ends() const { return ends_; }
 
 private:

@@ -44,7 +44,7 @@ std::string journalStep(std::size_t index, const std::string& name, std::string_
 /// Like `journalStep`, for a reader that does not know the text of the previous scene.
 std::string journalWholeStep(std::size_t index, const std::string& name, const std::string& after);
 std::string journalMove(std::size_t index);
-/// Line for a save of the scene at `index`; none: the saved scene is not on the undo stack.
+/// Line for a save of the scene at `index`; null: the saved scene is not on the undo stack.
 std::string journalSaved(std::optional<std::size_t> index, const std::string& path);
 
 /// Reads a journal up to the first damaged line. \param mostChanges maximum number of changes to read; null: all

@@ -26,7 +26,7 @@ public:
     /// Follows the document: the file that was opened or saved last comes first.
     explicit RecentFiles(Document& document, QObject* parent = nullptr);
 
-    /// Latest first. Missing files are included, so that the user sees that they no longer exist.
+    /// The recent files, latest first. Missing files are included, so that the user sees that they no longer exist.
     const std::vector<RecentFile>& files() const { return files_; }
     void add(const QString& path);
     void forget(const QString& path);

@@ -15,12 +15,12 @@
 namespace keyblock {
 
 /// For each node, true if an entry of the anchor table makes it a bonded node.
-/// \param nodes distances of the nodes from the far end [m], increasing.
+/// \param nodes distances of the nodes from the far end [m], in increasing order.
 std::vector<bool> realNodes(const std::vector<Anchor>& anchors, const std::vector<double>& nodes);
 
-/// The anchor table after the nodes `first` … `last` have been made bonded (`real`) or intermediate. New bonded nodes
-/// get the anchor law of the nearest bonded node or, if there is none, the law of `pattern`. A bonded range extends
-/// half an element beyond its outermost nodes.
+/// The anchor table after the nodes `first` to `last` have been made bonded (if `real` is true) or intermediate (if it
+/// is false). New bonded nodes get the anchor law of the nearest bonded node or, if there is none, the law of
+/// `pattern`. A bonded range extends half an element beyond its outermost nodes.
 /// \pre `nodes` has at least two entries, and first ≤ last < nodes.size().
 std::vector<Anchor> withNodes(std::vector<Anchor> anchors, const std::vector<double>& nodes, std::size_t first,
                               std::size_t last, bool real, const Anchor& pattern);

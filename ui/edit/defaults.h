@@ -33,7 +33,7 @@ Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 /// \pre the scene has an outline and no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt after the excavation of the tunnel that contains the head of the bolt, inside or on the wall. Does
+/// Installs a bolt after the excavation of the tunnel in which its head lies (inside the tunnel or on its wall). Does
 /// nothing if there is no such tunnel, or if no stage excavates it.
 void installOnWall(Edit& edit, const Bolt& bolt);
 

@@ -34,7 +34,7 @@ class PointerChange {
 public:
     /// Records that entries of a list were removed, so that the entries after them moved up.
     /// \param list the pointer of the list. \param indices the indices of the removed entries. \param count the number
-    /// of entries before.
+    /// of entries before the removal.
     void removed(const std::string& list, const std::vector<std::size_t>& indices, std::size_t count);
 
     /// Records that an entry was moved from index `from` to `to`; the entries in between moved by one position.

@@ -27,7 +27,7 @@ public:
 
     explicit ExportForm(QWidget* parent);
 
-    /// Updates the options to the contents of the run, and selects the quantities and the bolt that the window shows.
+    /// Adapts the options to the contents of the run, and selects the quantities and the bolt that the window shows.
     void take(const Exportable& now);
     void choose(ExportWhat what);
 

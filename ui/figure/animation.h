@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A run as a sequence of images: sections drawn as on paper, all of the same size and
-// with the same colour ranges, above a line that shows stages and events. Callers write
+// with the same colour ranges, above a timeline of the stages and events. Callers write
 // the images to files or encode them as an animation. This header does not need Qt.
 #pragma once
 
@@ -45,7 +45,7 @@ private:
 /// File name of an image in a folder of images: `frame-0001.png` for index 0.
 std::string pictureName(std::size_t picture);
 
-/// True if this is the name of a file in a folder of images: the name of an image, or `frames.csv` for the list of
+/// True if `name` is the name of a file that belongs to a folder of images: an image or `frames.csv`, the list of
 /// images.
 bool isOfPictures(const std::string& name);
 

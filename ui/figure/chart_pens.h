@@ -18,11 +18,11 @@ int unitsOf(double mm);
 QColor inkOf(const Colour& colour, double opacity = 1.0);
 Colour colourOf(const ChartTheme& theme, CurveStyle style);
 
-/// A pen of the given width [mm]. \param dashes lengths in line widths; empty: solid.
+/// A pen of the given width [mm]. \param dashes lengths of dashes and gaps, in units of the line width; empty: solid.
 QPen chartPen(double width, const Colour& colour, const QVector<qreal>& dashes = {});
 QPen penOf(const ChartTheme& theme, const ChartCurve& curve);
 
-/// Dash pattern of a reference curve, in line widths; empty: solid.
+/// Dash pattern of a reference curve, in units of the line width; empty: solid.
 std::vector<double> dashesOf(CurveStyle style);
 
 /// Draws the symbol of a reference curve at a point [mm].

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The line below each image of an animation: the stages one after another, the numbered
-// events at their times, and the progress of the animation. Each image takes up the
-// same length, as it is shown for the same time.
+// The timeline below each image of an animation: the stages one after another, the
+// numbered events at their times, and the progress of the animation. Each image takes
+// up the same length, as it is shown for the same time.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -19,11 +19,11 @@ inline constexpr double filmLineHeight = 9.0;  // [mm]
 
 class FilmLine {
 public:
-    /// \param frames frames of the run that are shown, in order. \param events events with their numbers in the last
+    /// \param frames frames of the run that are shown, in order. \param events the events, numbered as in the last
     /// frame.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// Draws the line below one image: `width` [mm] wide, with its upper left corner at `at`.
+    /// Draws the timeline below image `picture`: `width` [mm] wide, with its upper left corner at `at`.
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:

@@ -39,7 +39,8 @@ private:
     void drawArrows(Ink& ink) const;
     void drawContacts(Ink& ink) const;
     void drawRibbon(Ink& ink);
-    /// Writes the name of the limit along its line, on the outer side.
+    /// Draws the name of the limit beyond one end of the limit line or next to the line; omits the name if there is no
+    /// space.
     void drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across);
     void drawScaleBar(Ink& ink);
     void drawNumbers(Ink& ink);

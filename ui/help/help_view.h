@@ -25,7 +25,7 @@ public:
 
     /// Shows a page.
     /// \param words text to scroll to, e.g. a heading or the name of a field; empty: the top of the page
-    /// \param occurrence which occurrence of `words` to show, from 0
+    /// \param occurrence which occurrence of `words` to show, counted from 0
     void open(const QString& page, const QString& words = {}, int occurrence = 0);
     /// Shows the results of a search for `words`.
     void search(const QString& words);

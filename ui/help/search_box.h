@@ -15,7 +15,7 @@ class SearchBox : public QAbstractButton {
     Q_OBJECT
 
 public:
-    /// \param command opens the palette; its shortcut is shown in the box
+    /// \param command the command that opens the palette; its shortcut is shown in the box
     SearchBox(QAction& command, const Themes& themes, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {196, 24}; }

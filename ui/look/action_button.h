@@ -16,11 +16,11 @@ class QWidget;
 
 namespace keyblock {
 
-/// Connects a button to a command: a click runs the command, and the button shows its tooltip. \param text returns the
-/// label and is called whenever the command changes; null: the label is not changed.
+/// Connects a button to a command: a click runs the command, and the button shows the tooltip of the command.
+/// \param text returns the label and is called whenever the command changes; null: the label is not changed.
 void follow(QAbstractButton& button, QAction& action, std::function<QString()> text = {});
 
-/// Creates a tool button connected to the command, with the id of the command as object name.
+/// Creates a tool button connected to the command, with the id of the command as its object name.
 QToolButton* buttonOf(QAction& action, QWidget* parent, std::function<QString()> text = {});
 
 }  // namespace keyblock

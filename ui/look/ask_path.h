@@ -12,8 +12,8 @@ class QWidget;
 
 namespace keyblock {
 
-/// Asks for a path that ends with `.` and `ending`; returns an empty path if the user cancels. \param start the
-/// suggested path.
+/// Asks for a path with the extension `ending`, given without a dot; returns an empty path if the user cancels.
+/// \param start the suggested path.
 QString askSavePath(QWidget& window, const QString& title, const QString& start, const QString& filter,
                     const QString& ending);
 

@@ -35,7 +35,7 @@ public:
     /// Unit of an elastic modulus in the field table; it is displayed in GPa where stresses are displayed in MPa.
     static constexpr std::string_view modulusUnit = "Pa (modulus)";
 
-    /// The display unit for an SI unit, which is written as in the field table; the SI unit itself if there is no other
+    /// The display unit for `siUnit`, which is written as in the field table; `siUnit` itself if there is no other
     /// display unit.
     ShownUnit shown(std::string_view siUnit) const;
 

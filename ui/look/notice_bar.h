@@ -26,7 +26,7 @@ public:
         std::function<void()> run;
     };
 
-    /// \param over the bar covers the upper edge of this widget.
+    /// \param over the widget whose upper edge the bar covers.
     NoticeBar(const Themes& themes, QWidget* over);
 
     /// Shows a message in place of the previous one; each answer closes the bar. A Close button is added.

@@ -75,16 +75,19 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
         TimeCursor::tr("Shows the last frame, or follows a run in progress."), QKeySequence(Qt::Key_End),
         [&cursor] { cursor.end(); });
     add("time.nextEvent", TimeCursor::tr("Next event"), "",
-        TimeCursor::tr("Shows the next failure; skips joint slips and re-sticks unless there are no other events."),
+        TimeCursor::tr("Shows the next event; skips joint slips, joint openings and re-sticks unless there are no "
+                       "other events."),
         QKeySequence(Qt::Key_N), [&cursor] { cursor.nextEvent(); });
     add("time.previousEvent", TimeCursor::tr("Previous event"), "",
-        TimeCursor::tr("Shows the previous failure; skips joint slips and re-sticks unless there are no other events."),
+        TimeCursor::tr("Shows the previous event; skips joint slips, joint openings and re-sticks unless there are no "
+                       "other events."),
         QKeySequence("Shift+N"), [&cursor] { cursor.previousEvent(); });
     add("time.bookmark", TimeCursor::tr("Bookmark frame"), "bookmark",
         TimeCursor::tr("Adds or removes a bookmark at this frame on the timeline."), QKeySequence("Ctrl+B"),
         [&cursor] { cursor.toggleBookmark(); });
-    add("time.compare", TimeCursor::tr("Compare from here"), "", 
-        TimeCursor::tr("Sets cursor B at this frame to show differences from it; repeat to remove the cursor."),
+    add("time.compare", TimeCursor::tr("Compare from here"), "",
+        TimeCursor::tr("Sets cursor B at this frame, so that other frames can be compared with it. Repeat the command "
+                       "to remove cursor B."),
         QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::moved, &TimeCursor::runGrew, &TimeCursor::changed})

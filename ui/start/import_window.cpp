@@ -63,7 +63,7 @@ ImportWindow::ImportWindow(const QString& path, const Themes& themes, QWidget* p
     : QWidget(parent, Qt::Window), path_(path), themes_(themes), reading_(new Background(this)),
       unit_(new QComboBox(this)), sagitta_(new QLineEdit(this)),
       layers_(table({tr("Layer"), tr("Role"), tr("Reason")}, tr("Layers and their roles"), "import.layers", this)),
-      account_(table({tr("Entity"), tr("Layer"), tr("Count"), tr("Imported as")}, tr("How every entity is imported"),
+      account_(table({tr("Entity"), tr("Layer"), tr("Count"), tr("Imported as")}, tr("How the entities are imported"),
                      "import.account", this)),
       picture_(new PicturePane(themes, this)), words_(new QLabel(this)), import_(new QPushButton(tr("Import"), this)) {
     setObjectName("importWindow");
@@ -87,7 +87,7 @@ QWidget* ImportWindow::makeSettings() {
     sagitta_->setPlaceholderText(tr("automatic"));
     sagitta_->setAccessibleName(tr("Arc tolerance"));
     sagitta_->setObjectName("import.sagitta");
-    sagitta_->setToolTip(tr("Largest distance between an arc and its straight segments, in metres."));
+    sagitta_->setToolTip(tr("Largest distance between an arc and the straight segments that replace it, in metres."));
     auto* form = new QFormLayout;
     form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Arc tolerance (m)"), sagitta_);
@@ -155,9 +155,10 @@ void ImportWindow::readSagitta() {
     const bool isGood = typed.isEmpty() || (number.value && *number.value > 0.0);
     sagitta_->setProperty("invalid", !isGood);
     sagitta_->style()->polish(sagitta_);
-    sagitta_->setToolTip(isGood ? tr("Largest distance between an arc and its straight segments, in metres.")
-                         : number.value ? tr("Enter a length greater than 0.")
-                                        : textOf(number.problem));
+    sagitta_->setToolTip(
+        isGood         ? tr("Largest distance between an arc and the straight segments that replace it, in metres.")
+        : number.value ? tr("Enter a length greater than 0.")
+                       : textOf(number.problem));
     if (!isGood || settings_.sagitta == number.value) return;
     settings_.sagitta = number.value;
     ask();
@@ -237,7 +238,7 @@ void ImportWindow::showWords() {
     }
     for (const std::string& assumed : import.assumed) lines << tr("Assumed: %1").arg(textOf(assumed));
     words_->setToolTip(lines.join('\n'));
-    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("The tooltip shows the remaining messages.");
+    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("The tooltip of this text shows all messages.");
     if (import.scene && import.cut) 
         lines.prepend(import.cut->blocks == 1 ? tr("The scene has 1 block.")
                                               : tr("The scene has %1 blocks.").arg(import.cut->blocks));

@@ -15,13 +15,13 @@ namespace keyblock {
 
 namespace {
 
-QPushButton* link(const QString& text, const QString& tip, QWidget* parent) {
+QPushButton* link(const char* id, const QString& text, const QString& tip, QWidget* parent) {
     auto* button = new QPushButton(text, parent);
     button->setProperty("link", true);
     button->setCursor(Qt::PointingHandCursor);
     button->setToolTip(tip);
     button->setAccessibleName(text);
-    button->setObjectName("recovery." + text);
+    button->setObjectName(QStringLiteral("recovery.") + id);
     return button;
 }
 
@@ -38,7 +38,7 @@ RecoveryBox::RecoveryBox(const Abandoned& abandoned, const Themes& themes, QWidg
     title->setTextFormat(Qt::PlainText);
     const QString edits = abandoned.changes == 1 ? tr("1 edit")
                                                  : tr("%1 edits").arg(abandoned.changes);
-    QString text = tr("%1; last edited %2. Edits made up to 2 s before the crash can be recovered.")
+    QString text = tr("%1; last edited %2. Edits made just before the crash may be missing.")
                        .arg(edits, whenText(abandoned.last));
     if (!abandoned.damage.isEmpty()) text += " " + tr("Journal: %1.").arg(abandoned.damage);
     auto* detail = new QLabel(text, this);
@@ -60,10 +60,10 @@ QWidget* RecoveryBox::makeLinks() {
     auto* row = new QHBoxLayout(links);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
-    auto* all = link(tr("Recover"), tr("Opens the scene with all edits, which can still be undone."), links);
-    auto* less = link(tr("Without the last command"),
+    auto* all = link("Recover", tr("Recover"), tr("Opens the scene with all edits, which can still be undone."), links);
+    auto* less = link("Without the last command", tr("Recover without last edit"),
                       tr("Omits “%1”, in case it caused the crash.").arg(abandoned_.lastStep), links);
-    auto* none = link(tr("Discard"), tr("Deletes these edits permanently."), links);
+    auto* none = link("Discard", tr("Discard"), tr("Deletes these edits permanently."), links);
     connect(all, &QPushButton::clicked, this, [this] { Q_EMIT recoverWanted(abandoned_, Recover::Everything); });
     connect(less, &QPushButton::clicked, this,
             [this] { Q_EMIT recoverWanted(abandoned_, Recover::WithoutLastCommand); });
