@@ -29,7 +29,7 @@ Point axisBetween(const Point& a, const Point& b) {
 QString MonitorTool::prompt() const {
     if (what_ == AtPoint) return tr("pick the point to monitor");
     if (what_ == OnBolt) return tr("pick a point on a bolt");
-    return first_ ? tr("pick the point on the other side") : tr("pick the point on one side");
+    return first_ ? tr("pick a point on the other side of the joint") : tr("pick a point on one side of the joint");
 }
 
 std::vector<ToolField> MonitorTool::fields() {
