@@ -34,7 +34,7 @@ Canvas::Canvas(const Themes& themes, QWidget* parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setHint(tr("Nothing is drawn yet"), tr("Open a scene, or draw an outline."));
+    setHint(tr("Nothing has been drawn yet"), tr("Open a scene, or draw an outline."));
     if (const auto& missing = missingOpenGl()) withoutGl_ = makeWithoutGlPanel(*missing, this);
     else section_ = new SectionWidget(this);
     if (section_) section_->beforePaint = [this] { renderOwed(); };

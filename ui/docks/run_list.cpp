@@ -111,7 +111,7 @@ void RunList::fillCompareMenu(QMenu& menu) {
                        [this, path = entry.path] { comparison_.begin(path); });
     }
     menu.addAction(tr("Compare with a run of another scene…"), this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Run to compare with"),
+        const QString path = QFileDialog::getOpenFileName(this, tr("Choose a run to compare"),
                                                           QFileInfo(runs_.shown()).absolutePath(), tr("Runs (*.kbrun)"));
         if (!path.isEmpty()) comparison_.begin(path);
     });

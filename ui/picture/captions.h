@@ -20,7 +20,7 @@ std::string timeText(const Scene& scene, int stage, double time);
 /// Like `timeText`, but in milliseconds below a tenth of a second: "3.95 ms".
 std::string shortTimeText(const Scene& scene, int stage, double time);
 
-/// A list of rock, joints and bolts and the scale factor of displacements, on one line.
+/// One line that lists the rock, joints and bolts and gives the scale factor of the displacements.
 std::string subtitleOf(const Scene& scene, double factor);
 
 /// Type of analysis, and the integration scheme if a stage is dynamic: "plane strain · backward Euler scheme".

@@ -105,12 +105,13 @@ struct StageMoment {
     double time = 0.0;
 };
 
-/// The stage and time at a position on the axis; a position beyond the axis gives the nearest end. \pre `stages` is not
-/// empty.
+/// The stage and time at a position on the axis; for a position beyond the axis, those at its nearest end.
+/// \pre `stages` is not empty.
 StageMoment momentAt(const std::vector<StageSpan>& stages, double place);
 
-/// Sets the range of the panel. It includes zero, the curves, the values to date, and every limit up to 1.5 times the
-/// largest of these values; higher limits are removed. A panel that contains only zeros gets the range 0 … 1.
+/// Sets the range of the panel. It includes zero, `panel.reached`, the curves, and every limit up to 1.5 times the
+/// largest of these values on the same side of zero; limits further from zero are removed. A panel that contains only
+/// zeros gets the range 0 … 1.
 void fitRange(ChartPanel& panel);
 
 /// The curve reduced to about `most` points. The points are divided into groups of consecutive points, and the first,

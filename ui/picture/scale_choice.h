@@ -25,7 +25,7 @@ struct ScaleChoice {
     bool operator==(const ScaleChoice&) const = default;
 };
 
-/// Choices of the user, by the name of the quantity.
+/// The user's choices, keyed by the name of the quantity.
 using ScaleChoices = std::map<std::string, ScaleChoice, std::less<>>;
 
 /// The choice for a quantity; the default if the user has made none.

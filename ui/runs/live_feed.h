@@ -69,7 +69,7 @@ public:
     void frame(const Frame& frame, std::size_t number);
     void look(const Frame& frame);
     void progress(const Progress& progress);
-    /// Replaces all data by the results that a store held before the run was resumed. \param until checkpoint from
+    /// Replaces all data with the results that a store held before the run was resumed. \param until checkpoint from
     /// which the run resumes; null: all results in the store
     void earlier(const RunSource& run, const Checkpoint* until = nullptr);
 

@@ -31,7 +31,7 @@ public:
     const std::vector<std::shared_ptr<const PinTrack>>& tracks() const { return tracks_; }
     std::vector<Pin> pins() const;
 
-    /// Adds a pin under the smallest unused number, and returns this number.
+    /// Adds a pin with the smallest unused number, and returns this number.
     int add(Pin pin);
     void remove(int number);
     void clear();

@@ -40,7 +40,7 @@ public:
 
     /// The latest drawing of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
-    /// The frame of this drawing.
+    /// The frame that this drawing shows.
     const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
 Q_SIGNALS:

@@ -33,7 +33,8 @@ public:
         int stage = 0;
         double time = 0.0;
     };
-    /// Time at a position; the nearest end of the axis for positions outside 0 … 1. \pre there is at least one stage.
+    /// Time at a position; for a position outside 0 … 1, the time at the nearest end of the axis.
+    /// \pre there is at least one stage.
     Moment momentAt(double place) const;
 
 private:

@@ -55,7 +55,7 @@ public:
     /// Like `frame`, but returns the last stored frame if the state shown is not stored; none if no frame is stored
     /// yet.
     std::optional<std::size_t> storedFrame() const;
-    /// \pre `hasMoment()`.
+    /// Head of the state shown. \pre `hasMoment()` is true.
     FrameHead head() const;
     /// Snapshot of the state shown, from which any thread can make drawings; null if `hasMoment()` is false.
     std::shared_ptr<const Moment> moment() const;
@@ -106,7 +106,7 @@ Q_SIGNALS:
     void changed();  // playback, speed, loop, cursor B, bookmarks or hidden kinds
 
 private:
-    /// State of the run at the last signal that it has grown.
+    /// State of the run at the last call of `grown`.
     struct Followed {
         int stage = -1;
         long step = -1;

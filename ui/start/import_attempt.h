@@ -19,7 +19,7 @@ struct ImportAttempt {
     std::string unreadable;  // why there is no scene; empty if there is one
 };
 
-/// Reads the drawing at `path`. Does not throw: `unreadable` holds the error message.
+/// Reads the drawing at `path`. Does not throw; if the drawing cannot be read, `unreadable` holds the error message.
 std::shared_ptr<const ImportAttempt> attemptImport(const std::string& path, const ImportSettings& settings);
 
 }  // namespace keyblock

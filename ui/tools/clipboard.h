@@ -24,7 +24,7 @@ class Clipboard : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds the commands to `commands`.
+    /// Adds the commands Cut, Copy, Paste, Duplicate, Delete and Select all to `commands`.
     Clipboard(Workbench& bench, SelectTool& select, Commands& commands, QObject* parent);
 
 private:

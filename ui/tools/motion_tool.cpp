@@ -12,7 +12,7 @@
 namespace keyblock {
 
 QString MotionTool::prompt() const {
-    return scene().stages.empty() ? tr("add a stage first") : tr("pick a point in the block to move");
+    return scene().stages.empty() ? tr("add a stage first") : tr("pick the block to move");
 }
 
 std::vector<ToolField> MotionTool::fields() {

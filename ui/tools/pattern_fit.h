@@ -16,8 +16,8 @@ struct PatternPlaces {
 
 /// Spacing and offset of the bolts after fitting.
 /// \param given spacing and offset set by the user
-/// \param bolts number of bolts from end to end, at least 1
-/// \param run length of the part of the wall [m]
+/// \param bolts number of bolts, at least 1; used only if `fit` is `EndToEnd`
+/// \param run length of the part of the wall along which the bolts are placed [m]
 /// \param isClosed true if this part is the whole wall, so that its ends coincide
 PatternPlaces fitted(PatternFit fit, const PatternPlaces& given, int bolts, double run, bool isClosed);
 

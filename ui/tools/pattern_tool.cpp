@@ -35,7 +35,8 @@ const SceneTunnel& PatternTool::tunnel() const {
 QString PatternTool::prompt() const {
     if (scene().tunnels.empty()) return tr("draw a tunnel first");
     if (!from_) return tr("pick the first point on the wall");
-    return to_ ? tr("Enter places the bolts; click to pick another end") : tr("pick the last point on the wall");
+    return to_ ? tr("Enter places the bolts; click to pick a different last point")
+               : tr("pick the last point on the wall");
 }
 
 QString PatternTool::detail() const {
@@ -83,8 +84,9 @@ std::vector<ToolField> PatternTool::fields() {
     }
     fields.push_back(row("length", tr("Length")));
     fields.push_back(choiceField("fit", tr("Layout"), {tr("from the start"), tr("centred"), tr("end to end")}, fit_, tell));
-    fields.back().help = tr("From the start: bolts at the given spacing from the first end. Centred: at the given spacing, with "
-                            "equal distances to both ends. End to end: a given number of bolts, evenly spaced.");
+    fields.back().help = tr("From the start: bolts at the given spacing, laid out from the first point. Centred: "
+                            "bolts at the given spacing, with equal distances left at both ends. End to end: a given "
+                            "number of bolts, evenly spaced.");
     fields.push_back(row("angle_from_wall", tr("Angle from wall")));
     fields.push_back(row("plate", tr("Plate")));
     if (fit() == PatternFit::FromStart) fields.push_back(given("offset", tr("Offset"), given_.offset));

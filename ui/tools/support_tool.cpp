@@ -17,9 +17,10 @@ namespace keyblock {
 QString SupportTool::prompt() const {
     switch (what_) {
         case Side:
-            return scene().domain ? tr("pick a side of the outline") : tr("draw the outline first, or support a point");
+            return scene().domain ? tr("pick a side of the outline")
+                                  : tr("draw the outline of the rock first, or support a point instead");
         case Place: return tr("pick the point to support");
-        default: return tr("pick a point in the block to support");
+        default: return tr("pick the block to support");
     }
 }
 

@@ -200,7 +200,7 @@ void ToolDesk::contextMenu(const CanvasEvent& event, QPoint global) {
     if (tool_->wantsPlaces()) {
         QAction* finish = menu->addAction(tr("Enter"), this, &ToolDesk::enter);
         finish->setEnabled(!tool_->commitText().isEmpty());
-        QAction* undo = menu->addAction(tr("Undo point"), this, [this] { tool_->undoPoint(), showTool(); });
+        QAction* undo = menu->addAction(tr("Undo last point"), this, [this] { tool_->undoPoint(), showTool(); });
         undo->setEnabled(tool_->previous().has_value());
         QAction* close = menu->addAction(tr("Close"), this, [this] { tool_->close(), showTool(); });
         close->setEnabled(tool_->previous().has_value());

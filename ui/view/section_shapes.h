@@ -27,7 +27,7 @@ public:
     LayerShapes lines(const std::vector<LineShape>& lines) const;
     /// Lines along the unbroken parts of the bolts. \param colours null: without colours.
     LayerShapes shanks(const ViewColours* colours) const;
-    /// Lines along the whole length of the given bolts (rows of the scene).
+    /// Lines along the whole length of the given bolts. \param bolts indices of the bolts in the scene.
     LayerShapes whole(const std::vector<int>& bolts) const;
 
 private:

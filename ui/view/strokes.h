@@ -12,9 +12,9 @@ class vtkActor;
 
 namespace keyblock {
 
-/// Name of the vertex attribute of each line corner, in addition to its position. The components are the vector of the
-/// line [m] (x, y), the line width relative to the line width of the layer (its sign gives the side of the line), and
-/// the end of the line (−1 or 1).
+/// Name of the vertex attribute that each corner of a line has in addition to its position. Its components are: the
+/// vector from the start to the end of the line [m] (x, y); the line width relative to that of the layer, with a sign
+/// that gives the side of the line on which the corner lies; and the end at which the corner lies (−1: start, 1: end).
 inline constexpr const char* strokeWay = "strokeWay";
 
 /// Sets the shaders that draw lines on an actor whose mapper has the attribute `strokeWay`. All lines are drawn at the

@@ -51,7 +51,8 @@ struct CompareArea::Second {
 CompareArea::CompareArea(const CompareNeeds& needs, QObject* parent) : QObject(parent), needs_(needs) {
     QAction* action = needs.commands.add(
         {"run.compare", tr("Compare runs"), "Results", "compare",
-         tr("Shows a second run next to this one, with the same view and time; repeat to close the comparison."),
+         tr("Shows a second run next to this one, with the same view and time. Use the command again to close the "
+            "comparison."),
          {QKeySequence("Shift+C")}, true},
         [this] { beginOrEnd(); });
     const auto enable = [this, action] {
@@ -86,7 +87,7 @@ void CompareArea::beginOrEnd() {
     const QString shown = needs_.runs.shown();
     for (const RunEntry& entry : needs_.runs.entries())
         if (entry.path != shown && entry.summary && !entry.goesOn) return needs_.comparison.begin(entry.path);
-    const QString path = QFileDialog::getOpenFileName(&needs_.window, tr("Run to compare with"),
+    const QString path = QFileDialog::getOpenFileName(&needs_.window, tr("Choose a run to compare"),
                                                       QFileInfo(shown).absolutePath(), tr("Runs (*.kbrun)"));
     if (!path.isEmpty()) needs_.comparison.begin(path);
 }

@@ -69,9 +69,11 @@ void DrawingFeed::showHint() {
     const Scene& scene = *document_.checked().scene;
     const bool empty = !scene.domain && scene.blocks.empty();
     if (!empty && hasErrors(document_.checked().problems))
-        canvas_.setHint(tr("The scene has errors"), tr("Fix them under Problems to see the section cut into blocks."), true);
+        canvas_.setHint(tr("The scene has errors"),
+                        tr("Fix the errors listed under Problems to see the section cut into blocks."), true);
     else
-        canvas_.setHint(tr("Nothing is drawn yet"), tr("Draw the outline of the rock first, then joints and a tunnel."));
+        canvas_.setHint(tr("Nothing has been drawn yet"),
+                        tr("Draw the outline of the rock first, then joints and a tunnel."));
 }
 
 }  // namespace keyblock

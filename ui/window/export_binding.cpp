@@ -48,7 +48,8 @@ void addExportCommands(QMainWindow& window, Commands& commands, const Themes& th
     const auto add = [&](const char* id, const QString& text, const QString& help, ExportWhat what) {
         commands.add({id, text, "Results", "export", help, {}, false, "export"}, [exporting, what] { exporting->open(what); });
     };
-    add("export.figure", QMainWindow::tr("Export figure…"), QMainWindow::tr("Exports the section, a bolt, curves or events as SVG, PDF or PNG."),
+    add("export.figure", QMainWindow::tr("Export figure…"),
+        QMainWindow::tr("Exports the section, a bolt diagram, curves or events as SVG, PDF or PNG."),
         ExportWhat::Figure);
     add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Exports results of the run as CSV."), ExportWhat::Numbers);
     add("export.film", QMainWindow::tr("Export animation…"),

@@ -47,7 +47,7 @@ bool save(Document& document, QWidget& window) {
 QString askForFile(const Document& document, QWidget& window) {
     const QStringList filters{QWidget::tr("All supported files (*.json *.kbrun *.dxf *.DXF *.csv *.CSV)"),
                               QWidget::tr("Scenes (*.json)"), QWidget::tr("Runs (*.kbrun)"),
-                              QWidget::tr("Drawings and lists (*.dxf *.DXF *.csv *.CSV)")};
+                              QWidget::tr("Drawings and joint or bolt lists (*.dxf *.DXF *.csv *.CSV)")};
     return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), fileFolder(document), filters.join(";;"));
 }
 

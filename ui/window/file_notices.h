@@ -12,7 +12,8 @@ namespace keyblock {
 class Document;
 class Themes;
 
-/// \pre the central widget of the window has been set.
+/// Adds the bar that reports changes of the scene file on disk, and the dock that lists the errors of a file of which
+/// only a part could be read. \pre the central widget of the window has been set.
 void addFileNotices(QMainWindow& window, Document& document, const Themes& themes);
 
 }  // namespace keyblock

@@ -266,7 +266,7 @@ void Layouts::fillMenu(QMenu& menu) {
     entry->setDefaultWidget(field);
     menu.addAction(entry);
     if (!current_.isEmpty())
-        menu.addAction(tr("Delete “%1”").arg(current_), this, [this] { remove(current_); });
+        menu.addAction(tr("Delete layout “%1”").arg(current_), this, [this] { remove(current_); });
     menu.addAction(tr("Reset layout"), this, &Layouts::reset);
 }
 

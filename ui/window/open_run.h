@@ -12,7 +12,7 @@ namespace keyblock {
 class Document;
 class Runs;
 
-/// Replaces the document by the scene of the run, unless it already has this scene, and shows the run. If the store
+/// Replaces the document with the scene of the run, unless it already has this scene, and shows the run. If the store
 /// cannot be read, `runs` reports the error and the document stays unchanged.
 /// \param edits `Ask`, or `Settled` if the user has been asked about unsaved edits already
 void openRun(Document& document, Runs& runs, const QString& store, QWidget& window, UnsavedEdits edits);

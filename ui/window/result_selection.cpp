@@ -72,7 +72,7 @@ void ResultSelection::addPicked(QMenu& menu, const Pick& pick, const QPointF& pi
         if (isBlock) needs_.blocks.choose(pick.block);
         else needs_.bolts.choose(pick.bolt);
     });
-    menu.addAction(tr("Pin and plot over time"), this,
+    menu.addAction(tr("Pin this point and plot its values over time"), this,
                    [this, pick, place = needs_.canvas.map().toPlace(pixel)] { needs_.pin(pick, place); });
     menu.addAction(asMenuText(tr("Zoom to %1").arg(what)), this, [this, box] {
         needs_.canvas.zoomTo(grown(box, std::max(0.5, 0.5 * (box.max - box.min).maxCoeff())));

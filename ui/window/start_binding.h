@@ -20,7 +20,8 @@ StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms);
 /// be recovered.
 void beginWithStartPage(StartPage& page);
 
-/// Start-up with a file: instead of the start page, a bar over `canvas` offers scenes that can be recovered.
+/// Start-up with a file: the start page is not shown; if scenes can be recovered, a bar over `canvas` says so and
+/// offers to open the start page.
 void tellAbandoned(StartPage& page, const Themes& themes, QWidget* canvas);
 
 }  // namespace keyblock

@@ -515,8 +515,8 @@ TEST(Tools, TheContextMenuEndsAndUndoesWhatIsDrawn) {
     place.choose("joint");
     for (const Point& at : {Point(-10, -8), Point(-8, -9), Point(-6, -8)}) place.click(at);
     QMenu* menu = menuAt(place, {-6, -8});
-    ASSERT_TRUE(menu && actionOf(*menu, "Undo point"));
-    actionOf(*menu, "Undo point")->trigger();
+    ASSERT_TRUE(menu && actionOf(*menu, "Undo last point"));
+    actionOf(*menu, "Undo last point")->trigger();
     menu->close();
     menu = menuAt(place, {-6, -8});
     ASSERT_TRUE(actionOf(*menu, "Enter")->isEnabled());

@@ -108,7 +108,7 @@ TEST_F(ResultSelections, TheRightButtonOpensAMenuOfActions) {
     QStringList entries;
     for (const QAction* action : menu.actions()) entries << action->text();
     EXPECT_TRUE(entries.contains("Show results for bolt B")) << entries.join(", ").toStdString();
-    EXPECT_TRUE(entries.contains("Pin and plot over time"));
+    EXPECT_TRUE(entries.contains("Pin this point and plot its values over time"));
     EXPECT_FALSE(entries.filter("Delete").size());
 }
 

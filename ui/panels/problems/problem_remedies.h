@@ -35,7 +35,7 @@ struct Slivers {
 };
 Slivers sliversOf(const Scene& scene, const SceneCut& cut);
 
-/// Edit that restores the default cutting limits.
+/// Remedy that restores the default cutting limits, so that the slivers are merged.
 Remedy mergeSlivers(const Slivers& slivers);
 
 }  // namespace keyblock

@@ -42,7 +42,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-    /// Rectangle of the link of a row.
+    /// Rectangle of the link in a row. \param row rectangle of the row. \param link text of the link.
     static QRect linkOf(const QRect& row, const QString& link, const QFont& font);
 
 private:
@@ -59,15 +59,15 @@ public:
     /// Number of errors and warnings, for the badge of the dock.
     int urgent() const { return urgentCount(list_->rows()); }
 
-    /// Performs the action of the row's link.
+    /// Performs the action of the link in this row.
     void follow(int row);
 
-    /// Selects the object of the row and requests that it be shown.
+    /// Selects the object to which the problem in this row refers, and requests that the object be shown.
     void showRow(int row);
 
     const ProblemList& list() const { return *list_; }
 
-    /// Updates the list to the latest check now, without waiting for the event loop.
+    /// Updates the list immediately to show the latest check, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:

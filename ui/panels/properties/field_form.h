@@ -30,17 +30,18 @@ class FieldForm : public QWidget {
 public:
     explicit FieldForm(const FormContext& context, QWidget* parent = nullptr);
 
-    /// Sets the objects that the form shows. Invalid pointers are left out.
+    /// Sets the objects that the form shows, given by their JSON pointers. Invalid pointers are left out.
     void setObjects(std::vector<std::string> pointers);
     const std::vector<std::string>& objects() const { return pointers_; }
     bool hasRows() const { return !rows_.empty(); }
 
     void setFilter(const QString& text);
 
-    /// Moves the focus to the field with this path (`spacing`, `until/unbalanced`); false if the form does not show it.
+    /// Moves the focus to the field with this path, such as `spacing` or `until/unbalanced`; returns false if the form
+    /// does not show the field.
     bool focusField(const QString& path);
 
-    /// Updates the form to the current scene now, without waiting for the event loop.
+    /// Updates the form immediately to show the current scene, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:

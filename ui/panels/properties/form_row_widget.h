@@ -18,8 +18,9 @@ class FormRowWidget : public QWidget {
 public:
     FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent);
 
-    /// Updates the row, and the messages of the check that concern it.
-    /// \param error true if one of the messages is an error, not only a warning.
+    /// Shows this row with its messages.
+    /// \param problems messages of the check about this row.
+    /// \param error true if at least one of the messages is an error, not only a warning.
     void present(const FormRow& row, const QString& problems, bool error);
 
     const FormRow& row() const { return row_; }

@@ -41,8 +41,8 @@ public:
 
     /// Places a widget above the fields.
     void addAbove(QWidget* widget);
-    /// Replaces the title and the second line of the panel, which normally describe the selection. If nothing is
-    /// selected, no fields are shown. Empty texts restore the description of the selection.
+    /// Shows `title` and, below it, `detail` instead of the description of the selection; empty texts restore the
+    /// description. As long as `title` is set, the fields are hidden if nothing is selected.
     void setSubject(const QString& title, const QString& detail);
 
 Q_SIGNALS:

@@ -43,7 +43,7 @@ inline constexpr std::size_t mostPlanBlocks = 40;
 /// some stage installs it; otherwise installs it.
 Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
 
-/// Name of the undo step for `toggled`, e.g. `Excavate drift in excavate`.
+/// Name of the undo step for `toggled`, e.g. `Excavate drift in Stage 1`.
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 
 /// Short descriptions of what the stage does, e.g. `excavates drift` and `2 loads`.

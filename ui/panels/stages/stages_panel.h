@@ -29,7 +29,7 @@ public:
 
     PlanView& plan() const { return *plan_; }
 
-    /// Updates the panel to the current scene now, without waiting for the event loop.
+    /// Updates the panel immediately to show the current scene, without waiting for the event loop.
     void refresh();
 
 private:

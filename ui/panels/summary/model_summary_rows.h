@@ -27,7 +27,7 @@ QString costText(double seconds);
 /// An amount of memory as text, e.g. `210 MB`.
 QString memoryText(double bytes);
 
-/// The basis of the estimate (stages, iterations, assumptions), one line each.
+/// The basis of the estimate (stages, iterations, assumptions), one item per line.
 QString estimateDetails(const CostEstimate& estimate);
 
 }  // namespace keyblock

@@ -45,7 +45,7 @@ public:
     /// Selects the in-situ stress. If the scene has none, it is added first.
     void addInSituStress();
 
-    /// Updates the tree to the current scene now, without waiting for the event loop.
+    /// Updates the tree immediately to show the current scene, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:

@@ -43,7 +43,7 @@ struct RunRow {
     bool current = false;
 };
 
-/// Input of the tree.
+/// Data from which the tree is built.
 struct TreeSource {
     const Document& document;
     const Display& display;
@@ -60,7 +60,8 @@ TreeNode& addChild(TreeNode& parent, std::unique_ptr<TreeNode> child);
 /// Creates the deferred children of `node`.
 std::vector<std::unique_ptr<TreeNode>> waitingChildren(const TreeSource& source, const TreeNode& node);
 
-/// For each pointer, the highest severity among the errors and warnings about the pointer or anything below it.
+/// For each JSON pointer, the highest severity among the errors and warnings about the value at this pointer or about
+/// anything below it.
 std::map<std::string, Severity> severities(const std::vector<Problem>& problems);
 
 }  // namespace keyblock

@@ -54,15 +54,15 @@ private:
     double largestForce_ = 0.0;
 };
 
-/// Diagram, at one frame, of the bolt to which `reach` refers. The axis ranges cover `reach` and this frame. Envelopes
-/// are left out, and no other frame is read.
+/// Diagram of the bolt `reach.bolt()` at one frame. The axis ranges cover `reach` and this frame. Envelopes are left
+/// out, and no other frame is read.
 /// \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach);
 
 /// Diagram of a bolt at one frame, with envelopes. Reads all frames up to this one. \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);
 
-/// Row of the bolt with the largest axial force in the run up to the frame; −1 if there is none.
+/// Index of the bolt with the largest axial force in the run up to the frame; −1 if there is none.
 /// \param held the previous choice. It is kept until another bolt has carried more than 1.5 times its force, so that
 /// the diagram of a run in progress does not jump between bolts.
 int mostLoadedBolt(const Frame& frame, int held = -1);

@@ -31,8 +31,8 @@ struct BoltReport {
     bool isInstalled() const { return condition != BoltCondition::NotInstalled; }
 };
 
-/// State of a bolt in a frame. \param events the events of the run up to the frame. \pre `bolt` is a row of the scene's
-/// and the frame's bolts.
+/// State of a bolt in a frame. \param events the events of the run up to the frame.
+/// \pre `bolt` is a valid index into the bolts of both the scene and the frame.
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events);
 
 }  // namespace keyblock

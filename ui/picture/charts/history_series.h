@@ -37,13 +37,13 @@ std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>
 /// Axis title: NAME (unit).
 std::string withUnit(const Series& series);
 
-/// Axis title and factor of energies.
+/// Axis title and conversion factor for energies.
 struct EnergyAxis {
     const char* title;
     double factor;  // from joules to the display unit
 };
 
-/// Energies of which `largest` [J] is the largest: in joules below 1 kJ, else in kilojoules.
+/// Axis for energies of at most `largest` [J]: in joules if `largest` is less than 1 kJ, otherwise in kilojoules.
 EnergyAxis energyAxis(double largest);
 
 }  // namespace keyblock

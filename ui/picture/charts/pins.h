@@ -35,7 +35,7 @@ struct Pin {
 
 /// Creates a pin on the picked object at `place` [m, as drawn].
 /// \param ofBlock quantity read at a pin on a block. \param ofBolt quantity read at a pin on a bolt.
-/// \pre the quantity for the kind of the picked object is given.
+/// \pre the quantity for the kind of object that was picked is not null.
 Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, const FrameQuantity<BlockState>* ofBlock,
           const FrameQuantity<BoltNodeFrame>* ofBolt);
 

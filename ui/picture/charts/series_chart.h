@@ -28,8 +28,8 @@ Chart chartOverTime(const RunTime& time, const std::vector<Event>& events);
 void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, const std::vector<double>& x,
               const std::vector<double>& y);
 
-/// Completes a chart: sets the ranges of its panels and merges events that are too close together. Returns false if
-/// there is nothing to draw.
+/// Completes a chart: sets the ranges of its panels and merges events that are too close together to be drawn
+/// separately. Returns false if there is nothing to draw.
 bool finishChart(Chart& chart);
 
 }  // namespace keyblock

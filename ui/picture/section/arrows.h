@@ -45,7 +45,7 @@ struct ArrowField {
 double arrowScale(const ArrowField& field);
 
 /// Arrows or crosses for all blocks of a frame.
-/// \param places centroids of the blocks as drawn [m], one per row of the frame's blocks.
+/// \param places centroids of the blocks as drawn [m], one for each block of the frame, in the same order.
 ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Point>& places);
 
 }  // namespace keyblock

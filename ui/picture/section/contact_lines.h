@@ -68,7 +68,7 @@ double contactLength(const ContactScale& scale, double force, double longest);
 double contactWidth(const ContactScale& scale, double force, double longest);
 
 /// Lines of all contacts that carry a force.
-/// \param places positions of the contacts as drawn [m], one per row of the frame's contacts.
+/// \param places positions of the contacts as drawn [m], one for each contact of the frame, in the same order.
 ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places);
 
 /// The lines within a window. Forces too small to be visible are omitted, and the lines are thinned out if there are

@@ -26,7 +26,7 @@ struct Mark {
 };
 
 /// All marks of a bolt, in no particular order.
-/// \param index row of the bolt. \param nodes positions of its nodes as drawn [m].
+/// \param index index of the bolt in the scene. \param nodes positions of its nodes as drawn [m].
 /// \param events the events of the run up to the frame.
 std::vector<Mark> marksOf(const Bolt& bolt, int index, const BoltFrame& frame, const std::vector<Point>& nodes,
                           std::span<const Event> events);

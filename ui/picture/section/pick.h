@@ -27,8 +27,8 @@ class PickIndex {
 public:
     explicit PickIndex(std::shared_ptr<const SectionPicture> picture);
 
-    /// The node within `reach` [m]; if there is none, the bolt within `reach`; otherwise the block that contains the
-    /// point. If blocks overlap, the one drawn last is returned.
+    /// The nearest bolt within `reach` [m] of the point, or its nearest node if that is within `reach`. If there is no
+    /// such bolt, the block that contains the point; if blocks overlap, the one drawn last.
     std::optional<Pick> at(const Point& place, double reach) const;
 
 private:

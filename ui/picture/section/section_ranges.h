@@ -48,8 +48,8 @@ private:
 /// Legends for a request; reads all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The legends completed for one frame: the colour ranges chosen in the request are applied, and a note on the values
-/// in this frame is added, if there are any.
+/// The legends completed for one frame: the colour ranges chosen in the request are applied and, if the frame has
+/// values, a note on these values is added.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
 /// Yield force and ultimate force of a bolt's steel with their names, in the display unit of the quantity; empty for

@@ -35,8 +35,8 @@ ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownN
 /// unit).
 double withoutRoundOff(double value, std::string_view unit);
 
-/// Conversion factor for the unit at the end of a title, such as `Axial force (kN)`; 1 if the displayed unit is the
-/// same.
+/// Conversion factor from the unit at the end of a title, such as `Axial force (kN)`, to the displayed unit; 1 if the
+/// two units are the same.
 double factorOf(std::string title, const ShownNumbers& numbers);
 
 /// Converts the units in a title, e.g. from `Axial force (kN) against joint opening (mm)` to `… (N) against … (m)`.
@@ -45,8 +45,8 @@ std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 std::string forceText(double force, const ShownNumbers& numbers);  // force [N] with its unit: `119 kN`
 std::string lengthText(double length, const ShownNumbers& numbers);  // length [m] with its unit: `31 mm`
 
-/// Converts drawing data from engineering units to the user's choice, in place. \pre the data have not been converted
-/// before.
+/// Converts drawing data in place, from engineering units to the units and the sign convention of `numbers`. \pre the
+/// data have not been converted before.
 void showAs(SectionPicture& picture, const ShownNumbers& numbers);
 void showAs(Chart& chart, const ShownNumbers& numbers);
 

@@ -24,8 +24,8 @@ struct TickRoom {
     std::function<double(const std::string&)> widthOf;
 };
 
-/// All ticks if there is room for their labels, otherwise every second, every third, and so on. The tick at zero is
-/// always included.
+/// All ticks if there is room for their labels; otherwise every second tick, every third tick, and so on, until the
+/// labels fit. The tick at zero is always included.
 std::vector<TickLabel> tickLabels(const LegendBar& bar, const TickRoom& room);
 
 }  // namespace keyblock
