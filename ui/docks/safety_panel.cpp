@@ -100,7 +100,7 @@ QString SafetyPanel::failure() const {
     QStringList lines;
     if (found.cutShort == Outcome::Stopped) lines << tr("Stopped; this is the bracket found so far.");
     if (found.cutShort == Outcome::Limit) lines << tr("The last run reached a limit set in the scene.");
-    if (found.cutShort == Outcome::Undecided) lines << tr("Stability could not be determined in the last run.");
+    if (found.cutShort == Outcome::Undecided) lines << tr("The last run left stability undecided.");
     if (!found.mode || found.mode->blocks.empty()) return lines.join('\n');
     QStringList blocks;
     for (const MovingBlock& block : found.mode->blocks) {

@@ -67,7 +67,7 @@ QString RunEntry::outcomeText() const {
         case Outcome::Limit: return Runs::tr("limit reached in %1").arg(stage);
         case Outcome::Collapse: return Runs::tr("collapse in %1").arg(stage);
         case Outcome::Displaced: return Runs::tr("excessive movement in %1").arg(stage);
-        case Outcome::Undecided: return Runs::tr("stability undetermined in %1").arg(stage);
+        case Outcome::Undecided: return Runs::tr("stability undecided in %1").arg(stage);
         default: return summary->resumable ? Runs::tr("interrupted after %1").arg(stage) : Runs::tr("finished");
     }
 }
