@@ -21,7 +21,8 @@ struct BoltNumber {
     bool confirmed = true;  // false: no available source gives the value
 };
 
-/// All applicable, non-null values of a bolt type, in the order of the scene format.
+/// Values of a bolt type, in the order of the scene format. Fields that do not apply to the type or have no value are
+/// omitted.
 std::vector<BoltNumber> numbersOf(const BoltType& type);
 
 }  // namespace keyblock::cli

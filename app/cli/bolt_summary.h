@@ -15,8 +15,8 @@ namespace keyblock::cli {
 /// Kind and location of an event, as in `debonding of B at node 12`.
 std::string eventPhrase(const RunSource& run, const Event& event);
 
-/// One line for each chain of events in which each event caused the next; long chains are shortened. Empty if there
-/// are no such chains.
+/// Chains of failures, one per line; each event in a chain caused the next. Only the first chains and the first events
+/// of each are shown, followed by the number of those omitted. Empty if there are no chains.
 std::string chainLines(const RunSource& run, const std::vector<Event>& events);
 
 /// Table of the bolts: largest forces over the run, utilisation of each strength, governing strength and supported

@@ -15,7 +15,8 @@ namespace keyblock::cli {
 /// \throws UsageError if the figure cannot be drawn, or if the program was built without figures.
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
-/// Checks the options as far as possible without the run. \throws UsageError
+/// Checks the options that can be checked without the run. \throws UsageError if one is invalid, or if the program was
+/// built without figures.
 void checkFigureOptions(const ExportOptions& options);
 
 }  // namespace keyblock::cli

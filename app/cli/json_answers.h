@@ -43,12 +43,13 @@ std::string casesJson(std::span<const CaseResult> results);
 /// passed}}`.
 std::string paperJson(std::span<const PaperTable> tables);
 
-/// Output of `safety`: `reduce, bolt_forces, tolerance, factor {lower, upper}, answer, lower, upper, outcome,
-/// blocks[], runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[] {name, movement, displacement_m,
+/// Output of `safety`: `reduce, bolt_forces, tolerance, factor {lower, upper}, answer, lower, upper, outcome, blocks[],
+/// runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[] {name, movement, displacement_m,
 /// rotation_rad}, joints[] {blocks, joint_material, x_m, y_m, slip_m, opening_m}}`. `outcome` is `bracketed`,
-/// `stands-at-1000`, `falls-at-0.001`, `fails-at-1` (no bolt forces to freeze), `stopped`, `limit` or `undecided`.
-/// `lower` or `upper` is null if it was not found, `mode` is null if no run was unstable, and `joint_material` is null
-/// if the joint has no material. \param solved the scene as solved, i.e. cut into blocks.
+/// `stands-at-1000`, `falls-at-0.001`, `fails-at-1` (unstable at full strength, so there are no bolt forces to freeze),
+/// `stopped`, `limit` or `undecided`. `lower` or `upper` is null if it was not found, `mode` is null if no run was
+/// unstable, and `joint_material` is null if the joint has no material. \param solved the scene as solved, i.e. cut
+/// into blocks.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
 /// State of a run in progress, for display.

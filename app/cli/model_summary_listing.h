@@ -11,7 +11,7 @@
 
 namespace keyblock::cli {
 
-/// The model summary as text of several lines.
+/// The model summary as several lines of text.
 std::string modelSummaryLines(const ModelSummary& summary);
 
 }  // namespace keyblock::cli

@@ -19,10 +19,10 @@ struct UsageError : std::runtime_error {
 /// the program.
 void takeFailedWritesAsErrors();
 
-/// Writes to standard output and flushes it.
+/// Writes `text` to standard output and flushes the stream.
 void print(std::string_view text);
 
-/// Writes to standard error and flushes it.
+/// Writes `text` to standard error and flushes the stream.
 void printToError(std::string_view text);
 
 /// Writes `error: …` to standard error on one line; line breaks in the message are replaced by spaces.
@@ -32,7 +32,7 @@ void printErrorLine(std::string_view message);
 /// to a closed pipe.
 int outputFailure();
 
-/// Whether standard error is a terminal.
+/// True if standard error is a terminal.
 bool errorIsTerminal();
 
 /// Width in characters of the terminal to which standard error is connected; 80 if the width is unknown.

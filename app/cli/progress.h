@@ -23,14 +23,14 @@ ProgressKind chosenProgress(ProgressKind kind);
 
 using Clock = std::chrono::steady_clock;
 
-/// Forwards everything to another sink and also shows progress.
+/// A sink that forwards everything to another sink and also shows progress.
 class ProgressSink : public Sink {
 public:
-    /// \param scene the scene as solved, i.e. cut into blocks. \param label text before the name of the stage; may be
-    /// empty.
+    /// \param scene the scene as solved, i.e. cut into blocks.
+    /// \param label text shown before the name of the stage; may be empty.
     /// \pre `kind` is not `Automatic`; `next` outlives this object.
     ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
-    /// Shows the last state, or clears the bar.
+    /// JSON: writes the last state if it has not been written yet. Bar: clears the bar.
     ~ProgressSink() override;
     ProgressSink(const ProgressSink&) = delete;
     ProgressSink& operator=(const ProgressSink&) = delete;
@@ -47,7 +47,7 @@ public:
     /// Updates the display; to be called whenever the run reports its progress.
     void update(const Progress& progress);
 
-    /// Wall-clock time [s] of each stage that has ended.
+    /// Wall-clock time [s] of each stage that has ended, by index of the stage.
     const std::map<int, double>& stageSeconds() const { return stageSeconds_; }
 
 private:

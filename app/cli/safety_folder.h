@@ -30,7 +30,7 @@ public:
     /// the run is undecided.
     void keep(const SafetyRun& run);
 
-    /// Writes the table and gives the folder its final name. \param scene the scene as solved.
+    /// Writes the table and gives the folder its final name. \param scene the scene as solved, i.e. cut into blocks.
     void finish(const Scene& scene);
 
 private:

@@ -9,8 +9,8 @@
 
 namespace keyblock::cli {
 
-/// For the lifetime of this object, the first Ctrl+C or SIGTERM sets `stop`. \pre there is only one such object at a
-/// time, and `stop` outlives it.
+/// While this object exists, the first Ctrl+C or SIGTERM sets `stop`. \pre no other object of this class exists, and
+/// `stop` outlives this one.
 class StopSignals {
 public:
     explicit StopSignals(std::atomic<bool>& stop);

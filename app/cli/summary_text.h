@@ -30,7 +30,8 @@ struct RunHealth {
 std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records);
 
 /// The complete summary of a run.
-/// \param stageSeconds wall-clock time [s] of each stage, shown in an extra column; empty: the column is omitted.
+/// \param stageSeconds wall-clock time [s] of each stage, by index of the stage, for an extra column. If the map is
+/// empty, the column is omitted.
 std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds);
 
 }  // namespace keyblock::cli

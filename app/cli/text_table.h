@@ -17,7 +17,7 @@ std::string shown(double value);
 /// The fraction `share` as a percentage with two decimals and a sign, as in `+0.12 %`; zero has no sign.
 std::string shownPercent(double share);
 
-/// Seconds with three decimals.
+/// `seconds` with three decimals, without the unit.
 std::string shownSeconds(double seconds);
 
 /// Number of characters in a UTF-8 string.
@@ -37,7 +37,9 @@ using TextRow = std::vector<std::string>;
 /// \pre every row has a cell for every column.
 std::string textTable(std::vector<TextColumn> columns, const std::vector<TextRow>& rows);
 
-/// One line of a table, ending with a line feed. Columns are not widened if cells are too long.
+/// One line of a table, ending with a line feed. A cell longer than its column is written in full and shifts the cells
+/// after it.
+/// \pre there is a cell for every column.
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells);
 
 }  // namespace keyblock::cli
