@@ -21,9 +21,10 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// The parts of the line place + s·along, with begin <= s <= end, that lie in the closed polygon, as intervals of s
-/// [m] in increasing order. If `begin` or `end` lies in the polygon, it is returned unchanged. Parts within the
-/// tolerance of an edge count as inside; parts no longer than the tolerance are omitted.
+/// The parts of the line place + s·along, with begin <= s <= end, that lie in the closed polygon. Each part is an
+/// interval of s [m]; the intervals are in increasing order. If the line is inside the polygon at s = `begin`, the
+/// first interval starts exactly at `begin`; likewise, the last one ends exactly at `end`. Parts within the tolerance
+/// of an edge count as inside; parts no longer than the tolerance are omitted.
 /// \param polygon clockwise or counter-clockwise; may be concave
 /// \param along unit vector
 /// \param tolerance [m]

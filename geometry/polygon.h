@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Area, centroid and second moments of area about the centroid. They do not depend on the direction of the outline.
+/// Area, centroid and second moments of area about the centroid. The direction of the outline does not affect them.
 struct Moments {
     double area = 0.0;  // [m²]
     Point centroid{0.0, 0.0};  // [m]
@@ -40,12 +40,12 @@ double distanceToBoundary(std::span<const Point> polygon, const Point& p);
 enum class Side { Outside, Boundary, Inside };
 
 /// Position of `p` relative to a polygon, which may be concave and either clockwise or counter-clockwise.
-/// \param tolerance [m] distance from an edge up to which a point lies on the boundary
+/// \param tolerance [m] distance from an edge up to which a point counts as lying on the boundary
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance);
 
 /// A point at which the outline crosses itself or runs back along itself; none if the outline is valid. Repeated
 /// corners are skipped, and an outline may touch itself at a point without crossing.
-/// \param tolerance [m] distance up to which points and edges touch
+/// \param tolerance [m] distance up to which points and edges count as touching
 std::optional<Point> crossesItself(std::span<const Point> polygon, double tolerance);
 
 /// True if the interiors of two polygons overlap by more than a strip of width `tolerance` [m].

@@ -13,11 +13,11 @@
 
 namespace keyblock {
 
-/// SplitMix64 generator (Steele, Lea and Flood 2014): the mixed bits of a counter with an increment of 2⁶⁴ divided by
-/// the golden ratio.
+/// SplitMix64 generator (Steele, Lea and Flood 2014). For each number, a counter is increased by 2⁶⁴ divided by the
+/// golden ratio, and its bits are mixed.
 class Random {
 public:
-    /// Starts the stream with this seed and name. Streams with different names are independent of each other.
+    /// Starts the stream identified by this seed and name. Streams with different names are independent of each other.
     explicit Random(std::uint64_t seed, std::initializer_list<std::int64_t> name = {});
 
     std::uint64_t bits();
@@ -43,7 +43,7 @@ struct Scatter {
     double deviation = 0.0;  // standard deviation [m]; 0: always the mean
 };
 
-/// Number of standard deviations at which distributions are truncated.
+/// Number of standard deviations from the mean at which normal distributions are truncated.
 inline constexpr double scatterCut = 3.0;
 
 /// A random value from the log-normal distribution with this mean and standard deviation; the underlying normal

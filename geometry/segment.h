@@ -31,8 +31,9 @@ struct Crossing {
 /// Intersection of the closed segments a–b and c–d; none if they have no common point or are parallel.
 std::optional<Crossing> crossing(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// The parts of the segment a–b inside a polygon, as parameter intervals in increasing order. Parts that run along an
-/// edge, within the tolerance, do not count as inside; parts shorter than the tolerance are omitted.
+/// The parts of the segment a–b inside a polygon, as parameter intervals (0 at a, 1 at b) in increasing order. Parts
+/// that run along an edge, within the tolerance, do not count as inside; parts no longer than the tolerance are
+/// omitted.
 /// \param polygon clockwise or counter-clockwise; may be concave
 /// \param tolerance [m]
 /// \pre the polygon does not cross itself.

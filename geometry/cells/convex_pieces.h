@@ -12,9 +12,10 @@
 
 namespace keyblock {
 
-/// The convex pieces of a polygon, as indices of its corners in counter-clockwise order: one piece if the polygon is
-/// convex, otherwise triangles. A corner that turns right by less than 1e-9 counts as straight. A polygon that crosses
-/// itself gives as many triangles as one that does not, but the triangles do not tile it.
+/// Divides a polygon into convex pieces. Each piece is a list of corner indices of the polygon, in counter-clockwise
+/// order. A convex polygon gives one piece, any other polygon gives triangles. A corner that turns right by less than
+/// 1e-9 counts as straight. A polygon that crosses itself gives as many triangles as one that does not, but the
+/// triangles do not tile it.
 /// \pre the polygon runs counter-clockwise and has at least three corners.
 std::vector<std::vector<int>> convexPieces(std::span<const Point> polygon);
 

@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Cells smaller than this fraction of a grid cell are merged with a neighbour.
+/// Cells with an area below this fraction of the area of a grid cell are merged with a neighbour.
 inline constexpr double leastCellShare = 0.25;
 
 /// A straight part of an edge shared by two cells. Cell `a` is on the left when going from `from` to `to`.
@@ -29,7 +29,8 @@ struct SubBlocks {
     double cellArea = 0.0;  // area of a whole grid cell [m²]
 };
 
-/// Estimated number of grid cells of size `size` [m] in the polygon's bounding box aligned with its longest edge.
+/// Estimated number of grid cells with side `size` [m] in the bounding box of the polygon. The box is aligned with the
+/// longest edge of the polygon.
 double gridCells(std::span<const Point> polygon, double size);
 
 /// Divides a polygon into cells. Apart from round-off, the result does not depend on which corner is first or on the

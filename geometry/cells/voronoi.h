@@ -30,10 +30,11 @@ inline constexpr int voronoiMoves = 4;
 /// \pre the region has at least one corner; size > 0.
 double voronoiEstimate(std::span<const Point> region, double size);
 
-/// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells if the region is translated.
-/// Cells are convex except at re-entrant corners of the region; a cell interrupted by a concave part of the outline is
-/// split into several cells with the same site. If no random site lies in the region, a single site is placed at its
-/// centroid. Edges and parts of cells that are no larger than the tolerance are omitted.
+/// Voronoi cells with a mean area of about size² [m²]. If the region is translated, the same seed gives the same cells
+/// at the new position. Cells are convex except at re-entrant corners of the region. A cell interrupted by a concave
+/// part of the outline is split into several cells with the same site. If no random site lies in the region, a single
+/// site is placed at the centroid of the region. Edges and parts of cells that are no larger than the tolerance are
+/// omitted.
 /// \param region clockwise or counter-clockwise
 /// \param size [m], well above the tolerance
 /// \param tolerance [m], above round-off

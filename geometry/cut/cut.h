@@ -93,11 +93,11 @@ struct Cut {
 };
 
 /// Cuts domains by traces. The tolerance used is at least 64 units in the last place of the coordinates and at most a
-/// hundredth of the size (see CutSettings). Traces are trimmed at the boundary without a note. The interior of an
-/// outline that crosses itself is determined by the even-odd rule; where domains overlap, the one with the lower id
-/// takes precedence. Blocks tile their domains except for the rounding of corners, which is about 1e-15 of the size, or
-/// one unit in the last place of the coordinates if that is coarser. Traces and domains with coordinates that are not
-/// finite are reported and omitted.
+/// hundredth of the size (see CutSettings). Traces are trimmed at the boundary without a note. Blocks tile their
+/// domains except for the rounding of corners, which is about 1e-15 of the size, or one unit in the last place of the
+/// coordinates if that is coarser. Invalid domains also give a defined result: the interior of an outline that crosses
+/// itself is determined by the even-odd rule, and where domains overlap, the one with the lower id takes precedence.
+/// Traces and domains with coordinates that are not finite are reported and omitted.
 /// \pre source numbers are not negative.
 Cut cutIntoBlocks(std::span<const CutDomain> domains, std::span<const CutTrace> traces, const CutSettings& settings);
 

@@ -18,9 +18,10 @@ public:
     /// Starts with one group per face. The map must outlive this object.
     explicit FaceGroups(const PlanarMap& map);
 
-    /// Group of a face, identified by the lowest index of the faces in it.
+    /// Number of the group that contains a face: the lowest index of the faces in the group.
     int groupOf(int face) const;
-    /// Index of the domain that contains a face, the lowest if domains overlap; −1: outside all domains.
+    /// Index of the domain that contains a face (the lowest index if domains overlap); −1 if the face is outside all
+    /// domains.
     int domainOf(int face) const { return domain_[face]; }
     double area(int group) const { return area_[static_cast<std::size_t>(group)]; }  // [m²]
     double width(int group) const;  // 2·area / perimeter [m]
@@ -48,11 +49,12 @@ public:
     };
     std::vector<Neighbour> neighbours(int group) const;
 
-    /// The neighbour with the greatest total length of common edges. Ties are decided by the larger area, then by the
-    /// order of the groups; none if the group has no neighbours.
+    /// The neighbour with the greatest total length of common edges; none if the group has no neighbours. If several
+    /// are equal, the one with the largest area is returned; if the areas are equal too, the one with the lowest
+    /// number.
     std::optional<Neighbour> longestNeighbour(int group) const;
 
-    /// Merges a group with its neighbour. \return the merged group
+    /// Merges a group with its neighbour. \return the number of the merged group
     int join(int group, const Neighbour& neighbour);
 
 private:
@@ -79,11 +81,12 @@ struct Sliver {
     double area = 0.0;  // [m²]
 };
 
-/// Merges undersized groups, i.e. those whose area or width is below the limit, with a neighbour, smallest group first,
-/// until no undersized group has a neighbour.
+/// Merges undersized groups, i.e. those with an area below `minArea` or a width below `minWidth`, with a neighbour. The
+/// smallest group is merged first, and merging ends when no undersized group has a neighbour.
 /// \param faces number of faces of the map
 /// \param minArea [m²]
 /// \param minWidth [m]
+/// \return the undersized groups, including those that have no neighbour and were not merged
 std::vector<Sliver> joinSlivers(FaceGroups& groups, int faces, double minArea, double minWidth);
 
 }  // namespace keyblock

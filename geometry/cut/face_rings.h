@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-/// Outlines of one block; the rings refer to vertices of the map.
+/// Outlines of one block; their vertices are indices into PlanarMap::points.
 struct TracedBlock {
     CutRing outer;
     std::vector<CutRing> holes;
@@ -23,8 +23,8 @@ struct TracedBlock {
     double perimeter = 0.0;  // including the holes [m]
 };
 
-/// Blocks of one group: usually one; none if rounding reduces the group to nothing; several if rounding splits it at a
-/// vertex.
+/// Blocks of one group: usually one; none if rounding of the corners reduces the group to nothing; several if it splits
+/// the group at a vertex.
 struct TracedGroup {
     std::vector<TracedBlock> blocks;
     bool sound = false;  // edges of a block meet only at common vertices, and holes lie inside it
@@ -33,9 +33,9 @@ struct TracedGroup {
 class RingTracer {
 public:
     /// `map`, `groups` and `sources` must outlive the tracer.
-    /// \param sources for each owner in the edge marks of the map, its source
+    /// \param sources source of each edge owner (as in CutTrace::source), indexed by EdgeMark::owner
     /// \param straight [m] a vertex between edges of the same source is removed if it lies within this distance of the
-    /// chord; negative: no vertices are removed
+    /// chord between its neighbours; negative: no vertices are removed
     /// \pre the points of the map are distinct and in increasing order of x, then y.
     RingTracer(const PlanarMap& map, const FaceGroups& groups, std::span<const int> sources, double straight);
 

@@ -27,8 +27,9 @@ struct Gathered {
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
 /// Faster alternative to `gather` for a radius of the order of round-off. Points that are no farther apart than the
-/// radius, directly or through a chain of points, share one location: the first of their fixed points or,
-/// if none is fixed, the first of the points, in increasing order of x, then y. Locations are sorted in the same order.
+/// radius, directly or through a chain of points, share one location. This location is the first of these points in
+/// increasing order of x, then y; if some of them are fixed, it is the first of the fixed ones. Locations are sorted in
+/// the same order.
 /// \param fixed number of fixed points at the start of the list
 /// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);
@@ -38,8 +39,8 @@ struct PlacePair {
     int from = 0, to = 0;
 };
 
-/// All pairs (location, segment) that are no farther apart than the radius, sorted. The ends of a segment are not
-/// paired with it, and locations more than the radius outside `box` are ignored. \param radius [m]
+/// All pairs (index of a location, index of a segment) whose distance is at most the radius, sorted. A segment is not
+/// paired with its own ends, and locations more than the radius outside `box` are ignored. \param radius [m]
 std::vector<std::pair<int, int>> nearPairs(std::span<const Point> places, std::span<const PlacePair> segments,
                                            const Box& box, double radius);
 

@@ -17,7 +17,7 @@ namespace keyblock {
 /// Indices of up to two domains, in increasing order; −1: none.
 using Domains = std::array<int, 2>;
 
-/// The domains that are in exactly one of the two sets; at most two are returned.
+/// The domains that are in exactly one of the two sets; if there are more than two, the lowest two.
 inline Domains inOneOf(const Domains& a, const Domains& b) {
     Domains found{-1, -1};
     for (std::size_t i = 0, j = 0, count = 0; count < 2;) {
@@ -31,8 +31,8 @@ inline Domains inOneOf(const Domains& a, const Domains& b) {
     return found;
 }
 
-/// The owner of an edge and the domains that the edge bounds. Where segments overlap, the lowest `owner` applies, and
-/// a domain that occurs twice cancels out.
+/// The owner of an edge and the domains that the edge bounds. Where segments overlap, their common edge has the lowest
+/// of their owners, and a domain that occurs twice cancels out.
 struct EdgeMark {
     int owner = 0;
     Domains domains{-1, -1};  // domains with the edge on their outline

@@ -35,7 +35,7 @@ struct CleanTraces {
     std::vector<CutNote> notes;
 };
 
-/// Prepares traces for the cut; the edges of the domains are not changed.
+/// Prepares traces for the cut as described above; the edges of the domains are not changed.
 /// \param box bounding box of all domains
 /// \param tolerance [m], well above the round-off of coordinates
 /// \pre coordinates are finite; outlines have no repeated corners.

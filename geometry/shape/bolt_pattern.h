@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// Bolts from the point of the wall nearest to `from` to the point nearest to `to`; all round the tunnel if the two
-/// points coincide.
+/// A row of bolts along the wall of a tunnel, from the point of the wall nearest to `from` to the point nearest to
+/// `to`; all round the tunnel if these two points coincide.
 struct BoltPattern {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     Way way = Way::CounterClockwise;
@@ -42,8 +42,8 @@ struct PatternBolt {
 double boltCount(const TunnelProfile& profile, const BoltPattern& pattern);
 
 /// The bolts, in order along the wall in the direction `way`. A bolt whose head lies at the end of the pattern, to
-/// within 1e-9 of the length of the whole wall, is included. In a pattern all round the tunnel, no other head
-/// coincides with the first. Empty if the offset is longer than the pattern.
+/// within 1e-9 of the length of the whole wall, is included. In a pattern all round the tunnel, no other head coincides
+/// with the first. Empty if the offset is longer than the pattern.
 /// \pre boltPatternProblem(pattern) is none, and boltCount(profile, pattern) is small enough to generate that many
 /// bolts.
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern);

@@ -48,8 +48,8 @@ inline constexpr double largestDeviationRatio = 2.0;  // standard deviation / me
 std::optional<ShapeProblem> jointSetProblem(const JointSet& set);
 
 /// Approximate number of lines and traces that must be generated to fill the bounding box of `region`. If spacings or
-/// lengths are random, lines and traces between the box and the origin are included. In a concave region, one trace
-/// can give several pieces.
+/// lengths are random, lines and traces between the box and the origin are included. The number of pieces returned by
+/// `jointTraces` can be higher, because a trace in a concave region can give several pieces.
 /// \pre jointSetProblem(set) is none, and the region has at least one corner.
 double jointTraceEstimate(const JointSet& set, std::span<const Point> region);
 

@@ -100,16 +100,17 @@ std::vector<Point> outline(const TunnelProfile& profile);
 /// Point at a position on the true wall.
 Point pointAtLength(const TunnelProfile& profile, double length);
 
-/// Point on the polygon at the same position. On an arc, it lies on the line from the arc's centre to the point on the
-/// true wall.
+/// Point at a position on the polygon that represents the wall. On an arc, it lies on the line from the arc's centre to
+/// the point on the true wall.
 Point outlinePointAtLength(const TunnelProfile& profile, double length);
 
-/// Unit normal of the true wall, pointing into the rock. At a corner, to within 1e-9 of the length of the whole wall,
-/// it bisects the angle between the normals of the two sides.
+/// Unit normal of the true wall at a position, pointing into the rock. At a corner of the true wall, it bisects the
+/// angle between the normals of the two sides; a position within 1e-9 of the length of the whole wall from a corner
+/// counts as the corner.
 Point normalAtLength(const TunnelProfile& profile, double length);
 
 /// Position of the point on the true wall nearest to `p`: at least 0 and less than the length of the whole wall. If
-/// several points are equally near, the first position is returned.
+/// several points are equally near, the one with the lowest position is returned.
 double lengthOfNearest(const TunnelProfile& profile, const Point& p);
 
 /// Direction along the wall in the drawn section (x to the right, y upward).
