@@ -17,7 +17,7 @@ namespace keyblock {
 /// speed of pressure waves normal to the side and of shear waves along it.
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Indices of the point supports that lie on the given sides and whose blocks are present.
+/// Indices into Model::supports of the point supports that lie on the given sides and whose blocks are present.
 std::vector<std::size_t> supportsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
 /// Force carrier of the dashpots, which act in dynamic steps only.

@@ -15,8 +15,8 @@ namespace keyblock {
 /// is accounted for by the laws of their links.
 double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d);
 
-/// Force carrier of the damping, which is added to the matrices, loads and links of a dynamic step. It damps the links
-/// of the preceding carriers.
+/// Force carrier of the damping. It adds damping to the matrices and loads of the bodies in a dynamic step, and a
+/// viscous link for each damped link that the preceding carriers have added.
 extern const Carrier dampingCarrier;
 
 }  // namespace keyblock

@@ -24,13 +24,14 @@ GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& ed
 void addGlueLinks(const Model& model, const State& state, StepProblem& problem);
 
 /// Adds the links of all glued edges for a dynamic step with an expected displacement `path` (six values per block).
-/// Directions and lever arms are evaluated after a fraction `share` of the path. Strains are exact if the displacement
-/// equals `path`, and linear in the deviation from it.
+/// Directions and lever arms are evaluated after a fraction `share` of the path. Strains are exact for the displacement
+/// `path` and vary linearly with any deviation from it.
 void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
                       StepProblem& problem);
 
-/// Expected displacement of the cells over `time` [s] if each block that is divided into cells rotates uniformly about
-/// its own centroid (six values per block); zero for undivided blocks.
+/// Displacement of the cells over `time` [s] predicted from the current velocities: each block that is divided into
+/// cells moves with its mean velocity and rotates uniformly about its own centroid. Six values per block; zero for
+/// undivided blocks.
 Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time);
 
 /// True if the linearised glue forces agree, within a tolerance, with the glue forces at the exact positions of the

@@ -12,13 +12,13 @@ namespace keyblock {
 /// Maximum number of links per bolt node: four for its element, two to the rock, and an allowance for the face plate.
 inline constexpr std::size_t linksANode = 7;
 
-/// Adds the links of one bolt: shank, anchored points and face plate; none if the bolt is lost or absent.
+/// Adds the links of one bolt: shank, anchored points and face plate. Adds nothing if the bolt is lost or absent.
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
 
 /// Elastic energy of one bolt [J]: shank, anchored points and face plate.
 double boltEnergy(const Model& model, const State& state, int bolt);
 
-/// Event of kind `kind` for the node or element of `limit`, with the current values of the bolt.
+/// Event of kind `kind` for the node or element of `limit`, with its current position, forces and slip.
 Event boltEvent(const Model& model, const State& state, const Limit& limit, EventKind kind);
 
 /// Force carrier of the bolts.

@@ -17,10 +17,14 @@ namespace keyblock {
 struct BoltStep {
     BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem);
 
-    /// Adds a link between a node and the block of a slot or plate, acting along `direction`.
+    /// Adds a link between a node and block `block` (of a slot or plate), acting along `direction`.
+    /// \param strain current strain of the link
+    /// \param share as in Law::share
     Link& toRock(LinkKind kind, int node, int block, const Point& direction, double strain, double share);
 
-    /// Adds a link between the two ends of an element, with the strain gradients `g1` and `g2` at its ends.
+    /// Adds a link between the two ends of an element; `strain` and `share` are as in `toRock`.
+    /// \param g1 gradient of the strain with respect to the displacements and rotation of the element's first node
+    /// \param g2 the same for its second node
     Link& ofElement(LinkKind kind, int element, double strain, double share, const Eigen::Vector3d& g1,
                     const Eigen::Vector3d& g2);
 

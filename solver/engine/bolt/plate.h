@@ -22,7 +22,7 @@ bool ofPlate(LinkKind kind);
 /// Like `Carrier::accept`, for the links of the face plate.
 void acceptPlate(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 
-/// Adds the limit of the face plate unless the plate has been lost.
+/// Adds the limit of the face plate unless the plate has been lost. \param owner index of the bolt.
 void addPlateLimit(const BoltModel& bolt, const BoltMotion& motion, int owner, std::vector<Limit>& limits);
 
 /// Marks the face plate as lost; it then no longer carries any force.

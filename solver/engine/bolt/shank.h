@@ -18,22 +18,26 @@ const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion);
 /// Strains of an element at the current positions of its nodes (theory, "The shank").
 BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Stiffness of an element's spring for the bending strain p1 [N m/rad], and plastic limit of the forces conjugate to
-/// p1 and p2 at zero axial force [N m]. The limit is 0 if the bolt forms no hinges.
+/// Stiffness 2EI/L of an element's spring for the bending strain p1 (see BeamStrains) [N m/rad].
 double bendStiffness(const BoltModel& bolt, int element);
+/// Plastic limit of the forces conjugate to the bending strains p1 and p2 at zero axial force [N m]; 0 if the bolt
+/// forms no hinges.
 double hingeForce(const BoltModel& bolt, const BoltMotion& motion);
 
 /// Plastic limit of the forces conjugate to p1 and p2 under the element's last accepted axial force [N m].
 double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Utilisation of an element under its last accepted forces: `forces` is (N/N_p)² + (Q/Q_p)², and `withMoment` adds
-/// |M|/M_p, with M_p = Z·N_p/A. Both are 0 for steel of unlimited strength (theory, "Rupture").
+/// Utilisation of an element under its last accepted axial force N, shear force Q and larger end moment M. `forces` is
+/// (N/N_p)² + (Q/Q_p)², with the tensile strength N_p and the shear strength Q_p. `withMoment` is `forces` + |M|/M_p,
+/// with M_p = Z·N_p/A, plastic section modulus Z and area A. Both are 0 for steel of unlimited strength (theory,
+/// "Rupture").
 struct Utilisation {
     double forces = 0.0, withMoment = 0.0;
 };
 Utilisation utilisationOf(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Adds the links of an element: axial, rotation of the chord under tension, bending and shear.
+/// Adds the links of an element, in this order: axial; rotation of the chord, if the element is in tension; bending and
+/// shear, if the bolt can bend.
 void addShankLinks(BoltStep& step, int element);
 
 /// True if links of this kind belong to the shank.
@@ -46,7 +50,7 @@ void relockShank(const BoltModel& bolt, BoltMotion& motion, EnergyLedger& energy
 /// True if limits of this kind belong to the shank.
 bool ofShank(LimitKind kind);
 
-/// Adds the limits of an element that have not been released yet.
+/// Adds the limits of an element that have not been released yet. \param owner index of the bolt.
 void addShankLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int element,
                     std::vector<Limit>& limits);
 

@@ -18,7 +18,7 @@ SlotLine slotLine(const State& state, const Slot& slot);
 /// Signed distance of a node from the slot's line, positive to its left [m].
 double offSlot(const SlotLine& line, const BoltNode& node);
 
-/// Displacement of a node relative to the rock along the slot since it was bonded [m].
+/// Displacement of a node along the slot relative to the rock since the node was bonded [m].
 double alongSlot(const SlotLine& line, const BoltNode& node);
 
 }  // namespace keyblock

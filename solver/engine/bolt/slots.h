@@ -15,12 +15,12 @@ namespace keyblock {
 /// Borehole slots of a bolt in blocks and cells, sorted from the far end; plates are ignored.
 std::vector<Slot> slotsAlong(const Model& model, const Point& farEnd, const Point& head);
 
-/// Positions at which slots end within the bolt, i.e. at joints and at the faces of gaps, as distances from the far end
-/// [m].
+/// Positions within the bolt at which slots end, i.e. at joints and at the faces of gaps; distances from the far end
+/// [m], sorted.
 std::vector<double> jointPlaces(const Model& model, const std::vector<Slot>& slots, double length);
 
-/// Block at distance `s` [m] along the bolt; −1 in a gap, on a joint or outside the rock. On an edge between cells of
-/// one block, the first of these cells.
+/// Index of the block at distance `s` [m] from the far end of the bolt; −1 in a gap, on a joint or outside the rock. On
+/// an edge between cells of one block, the first of these cells.
 int startBlockOf(const Model& model, const std::vector<Slot>& slots, double s);
 
 }  // namespace keyblock

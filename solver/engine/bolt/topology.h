@@ -10,10 +10,12 @@
 
 namespace keyblock {
 
-/// Sets the block, tributary length and initial bond of every node of the active bolts, at its position in the scene.
+/// Sets the block, tributary length and initial bond of every node of the active bolts, for the positions in the
+/// original scene.
 void placeBolts(const Model& model, State& state);
 
-/// Sets the block, tributary length and initial bond of every node of one bolt, at the current positions of the blocks.
+/// Sets the block, tributary length and initial bond of every node of one bolt, for the current positions of the
+/// blocks.
 void placeBoltNow(const Model& model, State& state, int bolt);
 
 /// Updates the block and tributary length of every bolt node after the bodies have moved.

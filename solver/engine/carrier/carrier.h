@@ -42,8 +42,7 @@ struct StoredEnergy {
     double bolt = 0.0;
 };
 
-/// A force carrier: its functions for links, limits and energy. A null function means that the carrier does nothing at
-/// that point.
+/// A force carrier: its functions for links, limits and energy. A function that the carrier does not need is null.
 struct Carrier {
     const char* name = "";
 
@@ -63,7 +62,8 @@ struct Carrier {
     /// Called once at the end of an accepted step, after `accept` and `relock` have been called for all links.
     void (*finish)(State& state) = nullptr;
 
-    /// Adds the carrier's limits that have not been released yet, in the order in which ties are broken.
+    /// Adds the carrier's limits that have not been released yet. If limits are equally exceeded, the one added first
+    /// is released first.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
     /// True if the carrier releases limits of this kind.
@@ -77,7 +77,7 @@ struct Carrier {
     std::vector<Event> (*release)(const Model& model, State& state, const Limit& limit) = nullptr;
 
     /// Adds the forces that blocks about to be excavated exert on the remaining blocks and bolts.
-    /// \param excavated per block: true if it is excavated.
+    /// \param excavated indexed by block; nonzero if the block is to be excavated.
     void (*addWallForces)(const Model& model, const State& state, const std::vector<char>& excavated,
                           std::vector<WallForce>& walls) = nullptr;
 

@@ -19,14 +19,14 @@ struct Limit {
     double ratio = 0.0;  // load over strength
 };
 
-/// True if both are the same limit of the same part, regardless of their ratios.
+/// True if `a` and `b` are the same limit of the same part; their ratios may differ.
 inline bool sameLimit(const Limit& a, const Limit& b) {
     return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
 }
 
-/// Relative difference up to which the ratios of two limits are considered equal, and the excess of a ratio over 1 up
-/// to which its limit counts as just reached.
+/// Relative difference up to which the ratios of two limits count as equal.
 inline constexpr double tieShare = 1e-6;
+/// A limit counts as just reached if its ratio exceeds 1 by no more than this value.
 inline constexpr double reachedShare = 1e-9;
 
 }  // namespace keyblock

@@ -14,8 +14,9 @@
 
 namespace keyblock {
 
-/// Removes contacts that carry no force if their two blocks are connected, through other blocks, by bonds that are at
-/// the same point in the original scene (theory, "Contacts"). The order of the remaining contacts is kept.
+/// Removes each contact that carries no force and whose two blocks are connected, directly or through other blocks, by
+/// bonds at the contact's position in the original scene (theory, "Contacts"). The order of the remaining contacts is
+/// kept.
 void dropHeldCorners(const Model& model, std::vector<Contact>& contacts);
 
 }  // namespace keyblock

@@ -27,8 +27,8 @@ double joinBondedFaces(const Model& model, const std::vector<BlockMotion>& block
 double partBondedFace(const Model& model, const std::vector<BlockMotion>& blocks, std::vector<Contact>& contacts,
                       Contact& contact);
 
-/// Forces of the contact referred to its corner [N]. For a joined face, this is the contact's share of two end forces
-/// that have the same resultant and moment as the joined pair.
+/// Forces of the contact referred to its corner [N]. If its face is joined, the joined pair is replaced by two forces
+/// at the ends of the face with the same resultant and moment; those at the contact's end are returned.
 ContactForces forcesAtCorner(const std::vector<Contact>& contacts, const Contact& contact);
 
 /// Compression at the contact's corner [N]: the normal traction there times the contact's length and the thickness.

@@ -29,7 +29,7 @@ struct Drift {
 /// \param path the displacement over the step, six unknowns per block; null: at rest.
 std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
 
-/// Current outline of a block: its bounding box and its straight runs, which start at the corners in `turns`.
+/// Current outline of a block: its bounding box and its straight runs, one for each entry of BlockModel::turns.
 struct Outline {
     Box box;
     std::vector<Edge> runs;
@@ -64,7 +64,7 @@ struct CandidateSearch {
     const Standings& standings;
     double margin;
 
-    /// Distance past the end of an edge up to which a corner still counts as resting on it [m].
+    /// Distance past the end of an edge of block B up to which a corner of block A still counts as resting on it [m].
     double slack(int a, int b) const;
 
     /// Adds the contacts of corner `corner` of block A with the edges of block B through which it would enter.
@@ -72,10 +72,10 @@ struct CandidateSearch {
     bool addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
 };
 
-/// Contact with the same corner and edge in a sorted list; null if there is none.
+/// The contact in a sorted list that has the same corner and edge as `contact`; null if there is none.
 const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact);
 
-/// The part of a sorted list that contains the contacts between two blocks.
+/// The part of a sorted list that contains the contacts between blocks `a` and `b`.
 std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b);
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.
@@ -96,7 +96,8 @@ struct ContactPlace {
 
 inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlace(x) < ContactPlace(y); }
 
-/// The straight run of the outline that starts at the corner given by entry `turn` of the block's list `turns`.
+/// The straight run of the outline that starts at corner `block.turns[turn]`.
+/// \param corners current positions of the block's corners [m]
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn);
 
 /// Sine of 3°, the angle up to which two directions are considered parallel.

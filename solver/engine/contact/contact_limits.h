@@ -14,8 +14,8 @@ namespace keyblock {
 /// True if limits of this kind belong to joints.
 inline bool ofJoint(LimitKind kind) { return kind == LimitKind::JointBond || kind == LimitKind::PeakFriction; }
 
-/// Adds the limits of all contacts that have not been released yet, in the order of the contacts: peak friction, then
-/// bond.
+/// Adds the joint limits that have not been released yet, in the order of the contacts; for each contact, peak friction
+/// comes before the bond.
 void addJointLimits(const Model& model, const State& state, std::vector<Limit>& limits);
 
 /// Releases a joint limit: the bond fails, or friction drops to the residual angle.

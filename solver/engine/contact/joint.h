@@ -10,10 +10,11 @@
 
 namespace keyblock {
 
-/// Governing joint material of a contact: the weaker of its faces' materials, i.e. the material with the lower
-/// friction or, if friction is equal, the lower cohesion. On the corner's block, the face that lies along the edge is
-/// considered, or both faces at the corner if neither lies along it. Intact rock applies only to faces that met in the
-/// original scene (`first`); otherwise the block's own joint material is used instead.
+/// Governing joint material of a contact: the weaker of its faces' materials, i.e. the material with the lower friction
+/// or, if friction is equal, the lower cohesion. On the corner's block, the face that lies along the edge is
+/// considered, or both faces at the corner if neither lies along it. A face of intact rock counts as intact only where
+/// faces meet in the original scene; otherwise the block's own joint material is used instead.
+/// \param first true for the original scene
 /// \return an index into Model::joints.
 int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
@@ -23,6 +24,7 @@ int openingBetween(const Model& model, const Contact& contact);
 
 /// Prescribed opening of the contact's joint [m]: the opening of its material plus the opening of its named joint or
 /// joint set.
+/// \param openings as in State::openings
 double openingOf(const std::vector<double>& openings, const Contact& contact);
 
 /// Largest joint opening applied to any contact so far [m]; the search margin for contacts must be increased by this

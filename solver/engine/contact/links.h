@@ -9,9 +9,9 @@
 
 namespace keyblock {
 
-/// Adds the links of the contacts, in the order of the state's contacts: normal, then friction. Directions and lever
-/// arms are evaluated at the block positions predicted from the current velocities for the time `ahead` [s] or, if
-/// `path` is given, halfway along it.
+/// Adds the links of the contacts, in the order of the state's contacts; for each contact, the normal link comes before
+/// the friction link. Directions and lever arms are evaluated halfway along `path` if it is given, otherwise at the
+/// block positions predicted from the current velocities for the time `ahead` [s].
 /// \param frictionLocked true to prevent sliding.
 void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem,
                      double ahead = 0.0, const Eigen::VectorXd* path = nullptr);

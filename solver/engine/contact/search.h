@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Result of a search before history is applied. The contacts for another path can be derived from it without a new
-/// search.
+/// Result of a search before contacts take over their history. The contacts for another path can be derived from it
+/// without a new search.
 struct FoundCorners {
     /// A corner near an edge of another block, with its contacts.
     struct Corner {
@@ -36,9 +36,10 @@ struct ContactSearch {
     FoundCorners* corners = nullptr;  // receives the corners found
 };
 
-/// Finds the contacts within the margin, sorted by block pair and corner, with the history from `before`. There is one
-/// contact per pair of corners: if two corners at the same position each lie on an edge of the other block, the contact
-/// with history is kept, or, if neither has any, the one with the larger penetration.
+/// Finds the contacts within the margin, sorted by block pair, corner and edge, with the history from `before`. If two
+/// corners at the same position each lie on an edge of the other block, there are two contacts for the same pair of
+/// corners. If neither of them has a history, only the one with the larger penetration is kept; otherwise, only
+/// contacts with a history are kept.
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& search);
 
@@ -46,9 +47,9 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first);
 
-/// Checks `contacts` against the `path` that is now known: false if a corner enters a block through an edge other than
-/// the one in `contacts`. The first overload uses `found`, the result of the search for `contacts`; the second searches
-/// again with the same margin.
+/// Checks `contacts` against a displacement `path` that was not known when they were found: false if a corner would
+/// enter a block through an edge other than the one in `contacts`. The first overload uses `found`, the result of the
+/// search for `contacts`; the second searches again with the same margin.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path);

@@ -38,15 +38,17 @@ struct ContactSprings {
 /// and the thickness.
 ContactSprings contactSprings(const Model& model, const Contact& contact);
 
-/// Gap and slip at which the normal and the shear spring of a contact carry no force [m].
+/// Gap at which the normal spring of a contact carries no force, and slip at which the shear spring carries no force
+/// [m].
 std::pair<double, double> zeroPoints(const Contact& contact, const ContactSprings& springs);
 
 /// Tangent of the current friction angle, which is the residual angle after the first slip.
 double frictionOf(const Model& model, const Contact& contact);
 
-/// Set zero points or multipliers so that the contact carries the given force at the current block positions.
-/// \param strain the current gap or slip [m].
-/// \param force the compression, or the force along the edge [N].
+/// Set the zero point or multiplier of the normal or shear spring so that the contact carries the given force at the
+/// current block positions.
+/// \param strain the current gap (normal) or slip (shear) [m].
+/// \param force the compression (normal) or the force along the edge (shear) [N].
 void carryNormal(const Model& model, Contact& contact, double strain, double force);
 void carryShear(const Model& model, Contact& contact, double strain, double force);
 

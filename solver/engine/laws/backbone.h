@@ -47,13 +47,14 @@ struct BackboneResponse {
     double plasticWork = 0.0;  // plastic work over this step
 };
 
-/// Response at `strain` from a committed state.
+/// Response at `strain`, starting from the accepted state `state`.
 BackboneResponse respond(const Backbone& backbone, const BackboneState& state, double strain);
 
-/// Mean force along the strain path from `from`, where the state was committed, to `to`.
+/// Mean force while the strain changes from `from` to `to`.
+/// \param state the accepted state at the strain `from`
 double averageForce(const Backbone& backbone, const BackboneState& state, double from, double to);
 
-/// Yield force at an accumulated plastic strain.
+/// Yield force at the accumulated plastic strain `accumulated`.
 double yieldForce(const Backbone& backbone, double accumulated);
 
 }  // namespace keyblock

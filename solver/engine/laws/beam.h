@@ -31,14 +31,15 @@ struct BeamSection {
 /// Parameter b = 12·E·I·k/(G·A·L²) of the modified beam element, or 0 if the element has no shear deformation.
 double shearModifier(const BeamSection& section, double length, bool shears);
 
-/// Stiffness matrix in local axes for the unknowns u1, w1, θ1, u2, w2, θ2 [N/m, N, N m].
+/// Stiffness matrix in local axes [N/m, N, N m] for the unknowns u1, w1, θ1, u2, w2, θ2: displacements along and normal
+/// to the element and rotation, at ends 1 and 2.
 Eigen::Matrix<double, 6, 6> beamStiffness(const BeamSection& section, double length, bool shears);
 
 /// Translational mass lumped at each end: half of ρ·A·L [kg].
 double lumpedMass(const BeamSection& section, double length);
 
-/// Small positive rotational inertia of each end for dynamics, calculated from half the mass and a quarter of the
-/// length of the element [kg m²].
+/// Rotational inertia lumped at each end for dynamics: half of the element's mass times the square of a quarter of its
+/// length [kg m²].
 double lumpedInertia(const BeamSection& section, double length);
 
 /// Positions of an element's ends, and their rotations relative to the straight unloaded element.

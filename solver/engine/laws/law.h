@@ -58,7 +58,8 @@ inline LawResponse respond(const Law& law, double e) {
     return {};
 }
 
-/// Elastic energy f²/2k stored at a force f, not multiplied by `share`; 0 for laws that store no energy.
+/// Elastic energy f²/(2k) stored at force f with stiffness k, not multiplied by `share`; 0 for laws that store no
+/// energy.
 inline double storedEnergy(const Law& law, double force) {
     if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous || law.rigid) return 0.0;
     const double k = law.kind == LawKind::Curve ? law.curve->modulus : law.stiffness;

@@ -18,13 +18,13 @@ struct StepRule {
     double end = 1.0;  // for Blend: weight of the end relative to the start for a linear law, from ½ to 1
 };
 
-/// Force of the law at the start of the step. For friction, the force follows from the offset alone, because the limit
-/// may have decreased in the meantime.
+/// Force of the law at the start of the step, where the strain is `before`. The friction limit is not applied, because
+/// it may have decreased since this force was accepted.
 inline double carriedForce(const Law& law, double before) {
     return law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
 }
 
-/// Mean force along the strain path from `before` to `after`, and its derivative with respect to `after`.
+/// Mean force while the strain changes from `before` to `after`, and its derivative with respect to `after`.
 LawResponse averageResponse(const Law& law, double before, double after);
 
 /// Force and tangent over a step from strain `before` to `after`, not multiplied by `share`.
