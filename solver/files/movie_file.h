@@ -25,7 +25,7 @@ bool canWriteMovies();
 class MovieFile {
 public:
     /// Starts ffmpeg.
-    /// \param stop when set, ends any wait for ffmpeg; it must outlive this object.
+    /// \param stop ends any wait for ffmpeg once it is set, e.g. by another thread; it must outlive this object.
     /// \throws CannotWrite if ffmpeg is not installed or the file cannot be written.
     MovieFile(const std::filesystem::path& path, MovieFormat format, const MovieShape& shape,
               const std::atomic<bool>& stop);
@@ -34,7 +34,7 @@ public:
     MovieFile(const MovieFile&) = delete;
     MovieFile& operator=(const MovieFile&) = delete;
 
-    /// Adds an image; does nothing once `stop` is set.
+    /// Adds an image. Does nothing once `stop` is set.
     /// \param pixels the rows of the image from the top, four bytes per pixel: blue, green, red and an unused byte.
     /// \throws CannotWrite with ffmpeg's message if ffmpeg has failed.
     void add(const std::string& pixels);

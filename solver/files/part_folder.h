@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// A folder with a temporary name until it is complete; removed if it is never completed.
+/// A folder that has a temporary name until it is complete. The destructor removes a folder that was not completed.
 class PartFolder {
 public:
     /// Creates the temporary folder.

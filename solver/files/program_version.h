@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// Version of the program, as in `0.1.0`.
+/// Version of the program, e.g. `0.1.0`.
 std::string_view programVersion();
 
 }  // namespace keyblock

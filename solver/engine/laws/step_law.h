@@ -27,7 +27,8 @@ inline double carriedForce(const Law& law, double before) {
 /// Mean force while the strain changes from `before` to `after`, and its derivative with respect to `after`.
 LawResponse averageResponse(const Law& law, double before, double after);
 
-/// Force and tangent over a step from strain `before` to `after`, not multiplied by `share`.
+/// Force that `rule` gives for a step from strain `before` to strain `after`, and its derivative with respect to
+/// `after`. Neither is multiplied by `Law::share`.
 inline LawResponse respondOverStep(const Law& law, double before, double after, const StepRule& rule) {
     if (rule.rule == ForceRule::End || law.kind == LawKind::Viscous) return respond(law, after);
     if (rule.rule == ForceRule::Average) return averageResponse(law, before, after);
@@ -36,19 +37,20 @@ inline LawResponse respondOverStep(const Law& law, double before, double after, 
     return {late * end.force + (1.0 - late) * mean.force, late * end.tangent + (1.0 - late) * mean.tangent};
 }
 
-/// Energy that the time scheme dissipates in the law [J]: the work of the step's force minus the stored energy and the
-/// work of friction or plastic flow (theory, "Energies").
+/// Energy that the time scheme dissipates in the law over a step [J]: the work of the force that `rule` gives minus the
+/// increase in stored energy and the work of friction or plastic flow (theory, "Energies").
 double lawLoss(const Law& law, double before, double after, const StepRule& rule);
 
-/// Start of a strain path. The force is stored because, for a rigid law, it does not follow from the strain.
+/// State of a law at the start of a strain path. The force is stored because it does not follow from the strain if the
+/// law is rigid.
 struct PathStart {
     double strain = 0.0;
     double force = 0.0;  // not multiplied by `Law::share`
     double limit = 0.0;  // friction limit
 };
 
-/// Work done by the force of a law between two equilibria. The strain varies linearly, and the friction limit varies
-/// linearly from its value at the start to the limit of the law.
+/// Work done by the force of a law between two equilibria. The strain is assumed to vary linearly, as is the friction
+/// limit, from `PathStart::limit` to `Law::limit`.
 struct PathWork {
     double slipForce = 0.0;  // mean force while sliding; the force at the end if it did not slide
     double surplus = 0.0;  // trapezoidal work of the forces at both ends minus stored and dissipated energy [J]

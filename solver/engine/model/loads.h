@@ -58,7 +58,8 @@ struct Loads {
     std::vector<Dashpot> dashpots;  // in dynamic steps only
 };
 
-/// Magnitudes of all loads at one point in time: load factors, and displacements since the start of the run.
+/// Magnitudes of all loads at one time: factors of the loads, and prescribed displacements and joint openings since the
+/// start of the run.
 struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
@@ -87,7 +88,7 @@ struct SingleLoad {
     Vector6 onUnknowns = Vector6::Zero();  // generalised force on the block's unknowns
 };
 
-/// The point forces, pressures and wall forces as single forces.
+/// Point forces, then pressures, then wall forces, each as a single force and in the order of `loads`.
 /// \param move the expected displacement of the blocks over the step, which determines directions and lever arms.
 std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                     const StepMove& move);
@@ -99,8 +100,8 @@ Point accelerationOf(const Model& model, const LoadPoint& at);
 /// acceleration and their vector sum.
 double weightPerMass(const Model& model, const LoadPoint& at);
 
-/// Generalised forces of gravity, point forces, pressures and wall forces on every unknown.
-/// \param move as in `singleLoads`. \param total receives the sum of the force magnitudes [N].
+/// Generalised force on every unknown due to gravity, body acceleration, point forces, pressures and wall forces.
+/// \param move as in `singleLoads`. \param total receives the sum of the magnitudes of these forces [N].
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               const StepMove& move, double& total);
 

@@ -81,7 +81,8 @@ struct Slot {
 
 using Interval = std::pair<double, double>;  // start and end along the unstrained bolt [m]
 
-/// Connection of a node to the rock along the bolt, per node or per metre of embedded length.
+/// Connection of a bolt node to the rock in the direction of the bolt. Stiffness and strength are per node or per metre
+/// of embedded length.
 struct AnchorModel {
     bool real = false;  // the node is anchored
     bool canFail = false;  // if false, elastic with unlimited strength
@@ -170,12 +171,12 @@ struct Model {
 /// Initial positions of a block's corners [m].
 std::vector<Point> startCorners(const BlockModel& block);
 
-/// Indices into Model::joints: of the built-in material, for faces without a joint material from the scene, and of
-/// intact rock.
+/// Indices into Model::joints. `builtInRow` is the built-in material, used for faces without a joint material in the
+/// scene; `intactRow` is intact rock.
 inline int builtInRow(const Model& model) { return static_cast<int>(model.joints.size()) - 2; }
 inline int intactRow(const Model& model) { return static_cast<int>(model.joints.size()) - 1; }
 
-/// Index into Model::joints for the face on an edge of a block.
+/// Joint material of the face on an edge of a block, as an index into Model::joints.
 inline int jointOfFace(const BlockModel& block, int edge) {
     return block.faceJoints.empty() ? block.jointMaterial : block.faceJoints[edge];
 }
@@ -183,15 +184,17 @@ inline int jointOfFace(const BlockModel& block, int edge) {
 /// True if `a` and `b`, indices into Model::blocks, are the same block or two cells of one block.
 bool sameRock(const Model& model, int a, int b);
 
-/// Index into Model::blocks of the first cell of the block to which cell `row` belongs; `row` itself if the block is
+/// Index into Model::blocks of the first cell of the block to which cell `row` belongs; `row` itself if that block is
 /// not divided into cells.
+/// \param row an index into Model::blocks.
 int wholeOf(const Model& model, int row);
 
-/// One past the index of the last cell of a block. \param first the index of its first cell, as returned by `wholeOf`.
+/// Index into Model::blocks of the last cell of a block, plus 1.
+/// \param first the index of the block's first cell, as returned by `wholeOf`.
 int endOfWhole(const Model& model, int first);
 
-/// Area of a whole block, including all its cells [m²], and the square root of that area [m].
-/// \pre `first` is a result of `wholeOf`.
+/// Area of a block with all its cells [m²], and the square root of that area [m].
+/// \param first the index of the block's first cell, as returned by `wholeOf`.
 double wholeArea(const Model& model, int first);
 double wholeSize(const Model& model, int first);
 
@@ -202,7 +205,7 @@ int rowHolding(const Model& model, int block, const Point& place);
 
 JointModel jointModel(const JointMaterial& material);
 
-/// Contents of Model::joints for these materials, followed by the built-in material and intact rock.
+/// Entries of Model::joints: one for each of these materials, in order, then the built-in material, then intact rock.
 std::vector<JointModel> jointRows(const std::vector<std::pair<std::string, JointMaterial>>& materials);
 
 }  // namespace keyblock

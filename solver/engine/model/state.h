@@ -28,7 +28,7 @@ struct BlockMotion {
     bool operator==(const BlockMotion&) const = default;
 };
 
-/// Data of a contact that is joined with the contact at the other end of a bonded face of a cell
+/// Data of a contact at one end of a bonded face of a cell, for joining it with the contact at the other end
 /// (contact/bonded_face.h).
 struct BondedFace {
     int toward = -1;  // corner of block A at the other end of its edge; −1: not joined, the contact acts at its corner
@@ -184,21 +184,23 @@ struct BlockFrame {
 
 BlockFrame frameOf(const BlockMotion& motion);
 
-/// T(x), which gives the displacement at `x` from (u, v, r, εx, εy, γ), with strains in the block's frame. It is the
-/// derivative of `moveBlock`.
+/// Matrix T(x) of a block. The displacement at the current position `x` [m] is T(x)·d for a small displacement
+/// d = (u, v, r, εx, εy, γ) of the block, with strains in the block's frame. It is the derivative of `moveBlock`.
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockFrame& frame, const Point& x);
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x);
 
-/// Stress in the block's frame [Pa].
+/// Current stress (σx, σy, τ) of the block in the axes of its own rotating frame [Pa].
 Eigen::Vector3d frameStress(const BlockModel& block, const BlockMotion& motion);
 
-/// Rotates the axes of the two translational unknowns so that the first is along `axis`. The velocity does not change.
+/// Rotates the axes of the two translational unknowns so that the first is along `axis`. The components of the velocity
+/// are converted to the new axes; the motion of the block does not change.
 void turnUnknowns(BlockMotion& motion, const Point& axis);
 
 /// Velocity of the centroid in global axes [m/s].
 Point centroidVelocity(const BlockMotion& motion);
 
-/// Moves the block by the displacement `d` of a step, with the exact rotation.
+/// Moves the block by the displacement `d` = (u, v, r, εx, εy, γ) of a step. The rotation r is applied exactly, not
+/// linearised.
 void moveBlock(const BlockModel& block, BlockMotion& motion, const Vector6& d);
 
 }  // namespace keyblock

@@ -26,14 +26,14 @@ Vector6 expectedMove(const Model& model, const State& state, int block, const St
 /// Expected position of the block at the time within the step at which forces act.
 BlockMotion onTheWay(const Model& model, const State& state, int block, const StepMove& move);
 
-/// Displacement of a material point over a step, t·d + beyond, for the displacement d of its block.
+/// Displacement of a material point over a step as a linear function of the displacement d of its block: t·d + beyond.
 struct PointMove {
     Eigen::Matrix<double, 2, 6> t;  // matrix for the block's unknowns; its transpose gives the generalised force
     Point beyond{0.0, 0.0};  // constant part [m]; 0 if forces act in the middle of the step
 };
 
-/// Displacement of a material point over a step as a linear function of the displacement d of its block. The function
-/// is exact if d is `expectedMove`. If `expectedMove` is zero, t is the `displacementMatrix` at the start of the step.
+/// Linear function for the displacement of a material point over a step (see `PointMove`). It is exact if the block's
+/// displacement d is `expectedMove`. If `expectedMove` is zero, t is the `displacementMatrix` at the start of the step.
 /// \param place the position relative to the centroid, in the block's initial frame [m].
 PointMove pointMove(const Model& model, const State& state, int block, const Point& place, const StepMove& move);
 

@@ -11,13 +11,13 @@
 
 namespace keyblock {
 
-/// Sets the forces of the point supports at zero displacement, due to the in-situ stress on faces that touch no other
-/// block. Does nothing in a scene without in-situ stress.
+/// Sets the preload of each point support: the force at zero displacement due to the in-situ stress on those faces of
+/// the block that end at the support and touch no other block. Does nothing in a scene without in-situ stress.
 void preloadSupports(const Scene& scene, Model& model);
 
 /// Sets the initial forces of contacts and glue due to the in-situ stress on their faces. Does nothing in a scene
 /// without in-situ stress.
-/// \pre the contacts in `state` were found for the original scene.
+/// \pre the contacts in `state` were found with the blocks at their initial positions.
 void preloadFaces(const Scene& scene, const Model& model, State& state);
 
 }  // namespace keyblock

@@ -14,11 +14,11 @@ namespace keyblock {
 
 /// Warnings about bolt meshes (theory, "Divisions"). A warning is issued for
 /// - an anchor at a given position whose node lies on a joint, in a gap or outside the rock, where it carries no force;
-/// - elements at a joint that are longer than 0.3 times the transfer length of the bond, with the resulting errors in a
-///   pull test;
+/// - elements at a joint that are longer than 0.3 times the transfer length of the bond; the warning states the errors
+///   that this causes in a pull test;
 /// - a bond given per node on a bolt with automatic divisions, because its strength depends on the number of nodes;
-/// - user-defined divisions with a node on a joint, or with elements at a joint that are longer than an eighth of the
-///   bending length of a dowel, unless the scene is a pull test.
+/// - user-defined divisions of a bolt that may be sheared, if a node lies on a joint or if elements at a joint are
+///   longer than an eighth of the bending length of a dowel.
 /// \pre the scene has no errors.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

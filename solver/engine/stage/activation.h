@@ -21,12 +21,12 @@ namespace keyblock {
 void leaveOut(const Model& model, State& state, int bolt);
 
 /// Excavates blocks and cells.
-/// \param rows the indices of the blocks in `Model::blocks`.
-/// \return the last accepted forces that they exerted on the remaining blocks and bolts.
+/// \param rows the indices of the blocks and cells in `Model::blocks`.
+/// \return the last accepted forces that the excavated rock exerted on the remaining blocks and bolts.
 std::vector<WallForce> excavate(const Model& model, State& state, const std::vector<int>& rows);
 
-/// Installs a bolt, straight, unstressed and bonded to the blocks that it crosses in their current positions. The bolt
-/// lies on the line through the displaced ends of its borehole and has the length given in the scene.
+/// Installs a bolt. It is straight, unstressed and bonded to the blocks that it crosses. It lies on the line through
+/// the current positions of its borehole's ends and has the length given in the scene.
 void installBolt(const Model& model, State& state, int bolt);
 
 /// Removes a bolt and its plate; their stored energy is accounted for as released.
@@ -36,8 +36,7 @@ void removeBolt(const Model& model, State& state, int bolt);
 /// \return the forces that they exerted, to be kept as loads.
 std::vector<WallForce> releaseSupports(const Model& model, State& state, const std::vector<BoundarySide>& sides);
 
-/// Reactivates the released supports at their current positions with the forces that they carried when they were
-/// released.
+/// Reactivates the released supports at their current positions, with the forces that they carried at release.
 void restoreAllSupports(const Model& model, State& state);
 
 }  // namespace keyblock

@@ -16,14 +16,14 @@
 
 namespace keyblock {
 
-/// All force carriers in the order in which they add links to a step; damping follows the links that it damps. Limits
-/// and energies are listed from the last carrier to the first, so that if a bolt and a joint are equally overloaded,
-/// the bolt is released first. Summation follows these orders, so results depend on them in the last digit. A carrier
-/// that adds nothing in a scene does not affect the results of that scene.
+/// All force carriers, in the order in which they add links to a step. Damping comes after the links that it damps.
+/// Limits and energies are taken in reverse order, so that a bolt is released before an equally overloaded joint. The
+/// order also determines the order of summation, and thus the last digit of results. A carrier that adds nothing in a
+/// scene does not affect the results of that scene.
 inline constexpr std::array<const Carrier*, 6> carriers{&contactCarrier, &glueCarrier,    &supportCarrier,
                                                         &boltCarrier,    &dampingCarrier, &boundaryCarrier};
 
-/// Carrier that accepts links of this kind; null for links that store nothing in the state.
+/// Carrier that stores the forces and history of links of this kind in the state; null if nothing is stored for them.
 const Carrier* carrierOf(LinkKind kind);
 
 /// Carrier that releases limits of this kind.

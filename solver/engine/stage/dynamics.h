@@ -27,18 +27,19 @@ struct DynamicPace {
     bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
 };
 
-/// Integrates a dynamic stage step by step. Apart from its settings, it stores nothing between steps.
+/// Integrates a dynamic stage step by step. Everything that a step takes over from earlier steps is in the state and in
+/// `DynamicPace`.
 class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);
 
     /// Prepares the state for the first step without advancing time. If any touching contact carries no force yet,
     /// contact forces and block stresses that are consistent with the initial accelerations are stored as preload
-    /// (theory, "The start of a motion"). Driven blocks get the velocity of their prescribed motion. Initial
+    /// (theory, "The start of a motion"). Blocks with a prescribed motion get the velocity of that motion. Initial
     /// accelerations are calculated if the time scheme uses them.
     StepEnding begin(State& state);
 
-    /// Advances the state by one accepted step, not beyond `end`, and updates `time`.
+    /// Advances the state by one accepted step, which ends at the time `end` [s] at the latest, and updates `time` [s].
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:

@@ -23,10 +23,11 @@ class StaticAccount {
 public:
     StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Adds the energies of the path from the start to `end`, under the loads `at`, to the ledger of `end`. Called
-    /// before `end` is accepted.
+    /// Adds the energies of the path from the start to `end` to the ledger of `end`. Called before `end` is accepted.
+    /// \param at the loads at `end`.
     /// \param moved the sum of the displacements along the path.
-    /// \param problem the step built at `end`, with which it will be accepted; receives the mean slip forces.
+    /// \param problem the step built at `end`, with which `end` will be accepted; `problem.slipForce` receives the mean
+    /// forces while sliding.
     void add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;
 
 private:

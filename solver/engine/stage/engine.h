@@ -52,7 +52,7 @@ public:
     /// Called with the event and the state just before it.
     /// \return the number of the event in the run, from 0.
     virtual long event(Event event, const State& state, double time) = 0;
-    /// Called with the state just after an event; in a static stage it is normally in equilibrium again.
+    /// Called with the state just after an event. In a static stage, equilibrium has normally been restored.
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
@@ -72,26 +72,27 @@ struct StepNeeds {
     bool* sweepsFirst = nullptr;  // as in `SolveSettings`
 };
 
-/// Solves one step and adds it to the solver diagnostics. The friction limits used are stored in the contacts of the
-/// state.
+/// Solves one step and includes it in the solver diagnostics. The friction limits of the solution are stored in the
+/// contacts of `state`.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs);
 
 /// √area of the smallest block [m].
 double smallestSize(const Model& model);
 
-/// Upper bound on the displacement of a block's corners, and largest displacement of any bolt node, due to the
-/// unknowns in `d` that are not prescribed [m].
+/// Displacements [m] due to the unknowns in `d` that are not prescribed: an upper bound for the corners of a block
+/// (`blockMove`), and the largest displacement of any bolt node (`nodeMove`).
 double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block);
 double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Largest value of `blockMove` and `nodeMove` over all blocks and nodes [m].
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Block that a body of a step represents (−1 for a bolt node), and the name of the body for messages.
+/// Index of the block that a body of a step represents, −1 for a bolt node; and the name of the body for messages.
+/// \param body the index of the body: blocks first, then bolt nodes.
 int blockOfBody(const Model& model, int body);
 std::string nameOfBody(const Model& model, int body);
 
-/// Adds the largest penetration and the residual of an accepted state to the solver diagnostics.
+/// Updates the solver diagnostics with the largest penetration and the residual of an accepted state.
 void countAccepted(Engine& engine, const State& state, double residual);
 
 }  // namespace keyblock

@@ -25,14 +25,15 @@ struct StaticSettings {
     bool followsFalls = true;  // follow falling blocks until they have moved by their size, not only until they fall
 };
 
-/// Loads before the search, with which the state is in equilibrium, and loads for which equilibrium is sought.
+/// Loads before a search for equilibrium, with which the state is in equilibrium, and loads for which equilibrium is
+/// sought.
 struct LoadPath {
     const LoadPoint& before;
     const LoadPoint& at;
 };
 
-/// Moves the state to equilibrium. If there is none, or the search ends without a verdict, the blocks are left at the
-/// positions that they have reached.
+/// Moves the state to equilibrium under the loads `path.at`. If there is no equilibrium, or if the search cannot decide
+/// whether there is one, the blocks are left at the positions that they have reached.
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings);
 

@@ -21,14 +21,15 @@ public:
     Falls(const Model& model, const State& state, double share, double smallest);
 
     /// Records a pseudo-step of length `dt` [s].
-    /// \param moves the displacements of the blocks [m]; \param own the weights of the blocks, or the forces used
-    /// instead [N].
+    /// \param moves the displacement of each block [m].
+    /// \param own the weight of each block, or the reference force used instead [N].
     void note(const std::vector<double>& moves, double dt, const std::vector<double>& own);
 
-    /// True if a block has fallen without slowing down, and too far to be stopped by elastic deformation.
+    /// True if a block is falling: it has moved too far to be stopped by elastic deformation and has not slowed down.
     bool falls(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// True if a block had nearly the same acceleration in the last two pseudo-steps, which differed in length.
+    /// True if a block had nearly the same acceleration in the last two pseudo-steps.
+    /// \pre at least two pseudo-steps have been recorded, and the last two differ in length.
     bool sameWhateverTheStep(int block) const;
 
     /// Displacement of a block's centroid since the start, as a fraction of the size of the block or, for a cell, of
@@ -44,8 +45,8 @@ public:
     /// True if a block has moved noticeably and is still accelerating, as when other blocks have set it in motion.
     bool follows(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// Indices of the blocks that are too small to be considered and that are falling or have moved by more than their
-    /// size.
+    /// Indices of the blocks that are too small to be considered (see `decides`) and that are falling or have moved by
+    /// more than their size. Of a block divided into cells, all cells are listed.
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 
 private:

@@ -21,10 +21,11 @@ public:
     /// \param atLow, atHigh the limits at these fractions.
     LimitSearch(double low, std::vector<Limit> atLow, double high, std::vector<Limit> atHigh);
 
-    /// Next fraction to evaluate, between the two ends of the bracket.
+    /// Next fraction of the increment to evaluate. It lies between the two ends of the bracket.
     double next();
 
-    /// Stores the limits found at fraction `share`; `over` is true if any of them is exceeded.
+    /// Stores the limits found at the fraction `share` of the increment.
+    /// \param over true if any of these limits is exceeded.
     void take(double share, std::vector<Limit> limits, bool over);
 
     double high() const { return high_.share; }

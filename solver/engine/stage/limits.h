@@ -18,8 +18,8 @@ namespace keyblock {
 /// elements, then joints.
 std::vector<Limit> heldLimits(const Model& model, const State& state);
 
-/// Limit to release next: the one with the largest ratio, or the first of several equal ones; none if all ratios are
-/// below `least`.
+/// Limit to release next: the one with the largest ratio of load to strength, or the first of several with the same
+/// ratio. None if all ratios are below `least`.
 std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 
 /// True if releasing the limit changes forces, so that equilibrium must be found again. Forces do not change when

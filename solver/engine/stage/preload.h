@@ -11,8 +11,8 @@
 namespace keyblock {
 
 /// If any touching contact carries no force yet, finds forces consistent with the initial loads and stores them as
-/// preload; nothing moves. They are the forces of static equilibrium, found first with friction locked and then with
-/// the friction limits applied. If there is no such equilibrium, they are the forces of the first time step from rest.
+/// preload; nothing moves. These are the forces of static equilibrium, which is sought first with friction locked, then
+/// with the friction limits applied. If there is no equilibrium, the forces of the first time step from rest are used.
 /// \param first the loads at the start. \param timeStep the maximum time step of the stage [s].
 /// \return false if the run was stopped in the meantime; `state` is then unchanged.
 bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoint& first, double timeStep);

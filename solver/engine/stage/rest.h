@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Reference forces with which unbalanced forces are compared, one value per body [N].
+/// Reference forces and round-off errors with which unbalanced forces are compared, one value per body [N].
 struct RestForces {
     std::vector<double> own;  // block: weight, or without gravity its loads or other forces; node: sum of its forces
     std::vector<double> all;  // sum of the magnitudes of the forces of loads, links and stress
@@ -28,11 +28,10 @@ struct RestForces {
 /// \param weightPerMass the result of the function `weightPerMass` [m/s²]; 0: no gravity or body acceleration.
 RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass);
 
-/// Largest round-off error, as a fraction of a block's weight, up to which the program can decide whether the block is
-/// in equilibrium.
+/// Largest round-off error, as a fraction of a block's weight, at which equilibrium of the block can still be decided.
 inline constexpr double mostNoise = 0.02;
 
-/// The body that is farthest from equilibrium.
+/// The body that is farthest from equilibrium, with lists of the bodies that are not in equilibrium or undecidable.
 struct Unrest {
     int body = -1;  // −1: nothing is free to move
     double share = 0.0;  // unbalanced force over the reference force, scaled to the tolerance of blocks
@@ -44,7 +43,7 @@ struct Unrest {
 };
 
 /// Finds the body that is farthest from equilibrium.
-/// \param net the net force on every unknown at zero displacement.
+/// \param net the net force on every unknown at zero displacement, as returned by `netForce`.
 /// \param share the unbalanced force allowed on a block, as a fraction of its weight.
 Unrest farthestFromRest(const Model& model, const State& state, const StepProblem& problem, const RestForces& forces,
                         const Eigen::VectorXd& net, double share);

@@ -16,8 +16,8 @@ namespace keyblock {
 std::optional<State> ifSliding(const State& state);
 
 /// Reports every anchored point that slides in `before` and sticks in `after`, in the order of bolts and nodes. The
-/// state `before` is reported with each event.
-/// \param cause the number of the event that relieved the points; −1: the load.
+/// state `before` is reported with each event. Does nothing if `before` is none.
+/// \param cause the number of the event that caused the points to stick; −1: the load.
 void reportResticks(const Model& model, const std::optional<State>& before, const State& after, double time,
                     long cause, StepObserver& observer);
 

@@ -23,7 +23,7 @@ struct ChosenLength {
     bool grows = true;  // lengths may still increase; false once a search failed or took too long
 };
 
-/// Progress within a load increment. Together with the state, it determines the next call of `moveStatic`.
+/// Progress within a load increment. Together with the state, it determines what the next call of `moveStatic` does.
 struct IncrementProgress {
     double done = 0.0;  // completed fraction of the increment
     double under = 0.0;  // fraction that acts on the state; above `done` if a search ended with moving blocks
@@ -40,10 +40,10 @@ struct IncrementProgress {
     bool over() const { return done >= 1.0 && !releasing; }
 };
 
-/// Makes one move along the load path from `a` to `b`, after which equilibrium is found again. In a move, either the
-/// load is increased, at most up to the first limit, or one limit is released. If `settings.chosen` is set, the length
-/// of the load increase is chosen automatically. On return, `state` is the last equilibrium found; for `NoEquilibrium`
-/// and `Undecided`, it contains the moving blocks at the positions that they have reached.
+/// Makes one move along the load path from `a` to `b` and finds equilibrium again. In a move, either the load is
+/// increased, at most up to the first limit, or one limit is released. If `settings.chosen` is set, the length of the
+/// load increase is chosen automatically. On return, `state` is the last equilibrium found or, if the result is
+/// `NoEquilibrium` or `Undecided`, the state with the moving blocks at the positions that they have reached.
 StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
                       const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);
 

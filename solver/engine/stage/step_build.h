@@ -15,7 +15,7 @@ namespace keyblock {
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options);
 
-/// Displacement [m] of a block with a prescribed motion, along the axis of that motion, since the start of the run.
+/// Displacement of the block `motion.block` along `motion.axis` since the start of the run [m].
 double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
 
 }  // namespace keyblock

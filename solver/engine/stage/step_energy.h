@@ -17,13 +17,15 @@ struct StepEnergy {
     double lost = 0.0;  // dissipated by friction, plastic flow, damping and the scheme, or released [J]
     double scale = 0.0;  // largest energy term of the run [J]
 
-    /// True if the error exceeds `share` times the loss and both are significant relative to `scale`.
+    /// True if the error `left` exceeds `share` times the dissipated energy `lost`, and both exceed a small fraction of
+    /// `scale`.
     bool leavesMoreThan(double share) const;
 };
 
-/// Energy balance of a step; all zero if no contact carries compression, because there is then no impact.
+/// Energy balance of a step. All values are zero if no contact carries compression at the start or at the end, because
+/// the step then contains no impact.
 /// \param before the state at the start of the step, before its contacts were found.
-/// \param after the accepted state.
+/// \param after the accepted state at the end of the step.
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after);
 
 }  // namespace keyblock

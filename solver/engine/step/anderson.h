@@ -17,11 +17,12 @@ class AndersonMixing {
 public:
     explicit AndersonMixing(int remembered);
 
-    /// Records an iteration and sets `after` to the mixed iterate from which the next one should start.
-    /// \param change the change of the values in this iteration; \param after the values at the end of the iteration.
-    /// \param linear any quantities that depend linearly on the values; they are combined with the same weights.
-    /// \return false in the first iteration and when mixing restarts because the iteration diverged; `after` and
-    /// `linear` are then unchanged.
+    /// Records an iteration and replaces its result by the mixed iterate from which the next iteration should start.
+    /// \param change the change of the iterate in this iteration.
+    /// \param after the iterate at the end of the iteration; receives the mixed iterate.
+    /// \param linear quantities that depend linearly on the iterate; they are mixed with the same weights.
+    /// \return false if nothing was mixed: in the first iteration, at a restart because the iteration diverged, or if
+    /// the weights are not finite. `after` and `linear` are then unchanged.
     bool mix(const Eigen::VectorXd& change, std::vector<double>& after, Eigen::VectorXd& linear);
 
 private:

@@ -12,27 +12,29 @@
 
 namespace keyblock {
 
-/// Unbalanced forces of a trial and the forces with which they are compared. Keeps pointers to problem, rows and trial,
-/// which must outlive it and must not change.
+/// Unbalanced forces of a trial and the forces with which they are compared. `problem`, `rows` and `trial` must outlive
+/// the object and must not change.
 class Balance {
 public:
-    /// \param passes the number of iterations made so far. If it is 0, the round-off of inertia and loads is allowed
-    /// for; if 1, no round-off; if 2 or more, the round-off of inertia, loads and links.
+    /// \param passes the number of iterations made so far. It determines which round-off errors are allowed for:
+    /// before the first iteration those of inertia and loads, after one iteration none, after two or more those of
+    /// inertia, loads and links.
     /// \param tolerance the relative tolerance. After two or more iterations, round-off is estimated only if the trial
     /// exceeds this tolerance.
     Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance);
 
-    /// Unbalanced force relative to the acting forces, for the bodies whose unbalanced force exceeds round-off.
+    /// Unbalanced force relative to the acting forces. Bodies whose unbalanced force is within round-off count as
+    /// balanced.
     double residual() const { return residual_; }
 
-    /// Body with the largest relative unbalanced force.
+    /// Index of the body with the largest unbalanced force relative to the forces acting on it; −1 if no body is free.
     int worst() const { return worst_; }
 
-    /// True if, apart from round-off, the unbalanced force is at most `tolerance` times the acting forces and no body
-    /// exceeds the unbalanced force allowed for it in a step at rest.
+    /// True if `residual()` is at most `tolerance` and, in a step at rest, no body exceeds the unbalanced force allowed
+    /// for it (`StepProblem::mayLeave`), apart from round-off.
     bool within(double tolerance) const;
 
-    /// Acceptable unbalanced force on a body [N].
+    /// Largest unbalanced force that is acceptable on a body [N].
     double slack(int body, double tolerance) const;
 
 private:

@@ -18,11 +18,13 @@ struct Direction {
     bool coupled = true;  // friction limits follow their normal forces along this direction; otherwise they are fixed
 };
 
-/// Solves (A + C)·x = net force at `at`. A is the step matrix for the tangents at `at`, and `matrix` contains an exact
-/// or approximate factorisation of A; C is the dependence of sliding friction on its normal forces. Without sliding
-/// the solution is accurate to round-off; with sliding, to a few per cent of the net force or better, more closely as
-/// `residual` decreases. If this accuracy is not reached, or the result is not a descent direction, C is left out. The
-/// displacement is padded and zero for prescribed unknowns.
+/// Solves (A + C)·x = f for the displacement x, where f is the net force of the trial `at`. A is the step matrix for
+/// the tangents of the trial; C accounts for the dependence of sliding friction on its normal forces. Without sliding,
+/// the solution is accurate to round-off. With sliding, the error f − (A + C)·x is at most a few per cent of f and
+/// decreases with `residual`. If this accuracy is not reached, or if x is not a descent direction, C is left out.
+/// \param matrix contains an exact or approximate factorisation of A.
+/// \param residual the relative unbalanced force of the trial.
+/// \return x, padded and zero for prescribed unknowns.
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
                            double residual, StepWork& work);
 

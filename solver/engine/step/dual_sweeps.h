@@ -30,18 +30,17 @@ public:
     /// \param carried the initial forces, from `carriedForces`.
     DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried);
 
-    /// Forces of the links at the start of the step under their current friction limits, not multiplied by `Law::share`
-    /// [N].
+    /// Force of each link at zero displacement under the current friction limits, not multiplied by `Law::share` [N].
     static std::vector<double> carriedForces(const StepProblem& problem, const LinkRows& rows);
 
-    /// True if the problem has contacts and the stiffness of every block alone is positive definite, as the sweeps
-    /// require.
+    /// True if sweeps are possible: the problem has contacts, and each block's own stiffness matrix is positive
+    /// definite.
     bool possible() const { return possible_; }
 
-    /// Sweeps from the forces of the previous call (in the first call, from the forces passed to the constructor),
-    /// then solves for the displacement under the contact states that follow from the forces. The friction limits are
-    /// not updated to the new displacement.
-    /// \param from the trial evaluated last, from which the forces of bolt links are kept.
+    /// Sweeps over the contact forces, then solves for the displacement with the contact states (sticking, sliding or
+    /// open) that follow from the forces. The sweeps start from the forces of the previous call, in the first call from
+    /// those passed to the constructor. The friction limits are not updated to the displacement.
+    /// \param from the trial evaluated last; bolt links keep the forces that they have in it.
     /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 

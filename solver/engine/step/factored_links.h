@@ -32,13 +32,15 @@ public:
     };
 
     /// Matches the links of a new step with the links in the factor.
-    /// \return true if they are the same links in the same order.
+    /// \return true if the new step has the same links as the previous one, in the same order.
     bool begin(const StepProblem& problem, const LinkRows& rows);
 
-    /// Changes that update the factor to these weights, one weight per link of the step [N/m].
+    /// Changes that update the factor to new weights and to the current gradients.
+    /// \param weights one weight per link of the step [N/m].
     Changes changesTo(const LinkRows& rows, std::span<const double> weights) const;
 
-    /// Record that the changes from `changesTo` were applied to the factor, or that it was recomputed in full.
+    /// Record that the factor now contains these weights: `change` after the changes from `changesTo` were applied,
+    /// `renew` after the factor was recomputed in full.
     void change(const LinkRows& rows, std::span<const double> weights);
     void renew(const LinkRows& rows, std::span<const double> weights);
 

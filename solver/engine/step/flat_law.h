@@ -20,11 +20,11 @@ struct FlatLaw {
     bool follows = false;  // the limit depends on the force of another link
     bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
-    /// Friction limit [N] under the force `from` of the corresponding normal link [N], compression negative.
+    /// Friction limit [N] if the corresponding normal link has the force `from` [N], compression negative.
     double limit(double from) const { return high + std::max(0.0, -factor * from); }
 };
 
-/// Like `std::clamp`, but without branches, which the processor could not predict because link states vary.
+/// Like `std::clamp`, but without branches. The states of links vary too much for branch prediction.
 inline double clipped(double x, double low, double high) {
     const double above = x < low ? low : x;
     return high < above ? high : above;
@@ -43,7 +43,7 @@ inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     return flat;
 }
 
-/// Compact form of the law of a link whose limit follows the force of another link.
+/// Compact form of the law of the link `pair.limited`, whose limit follows the force of the link `pair.from`.
 inline FlatLaw flatLaw(const StepProblem& problem, const LimitPair& pair) {
     const Link& link = problem.links[pair.limited];
     FlatLaw flat = flatLaw(problem, link);

@@ -9,11 +9,11 @@
 
 namespace keyblock {
 
-/// Sets the limit of a pair.
-/// \param force the force of the pair's normal link in the step's equilibrium, not multiplied by `Law::share` [N].
+/// Sets the limit of the link `pair.limited` to the value that follows from the force of the link `pair.from`.
+/// \param force the force of `pair.from` in the step's equilibrium, not multiplied by `Law::share` [N].
 void setLimit(StepProblem& problem, const LimitPair& pair, double force);
 
-/// Updates every limit that follows another force to the forces at displacement `d`.
+/// Updates the limits of all pairs in `problem.limitPairs` to the forces at displacement `d`.
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

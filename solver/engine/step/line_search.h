@@ -12,9 +12,10 @@ namespace keyblock {
 
 /// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases at a step length
 /// of 1.
+/// \param direction the displacement at a step length of 1 (padded).
+/// \param rates the strain increment of each link due to `direction`.
 /// \param coupled true to let friction limits follow their normal forces along the direction; on return, the limits
 /// are those for the last step length tried. If false, the limits stay fixed.
-/// \param rates the rates of change of the links' strains along `direction`.
 double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled);
 

@@ -34,27 +34,28 @@ public:
     /// Number of unknowns; 0 before the first `analyse`.
     int size() const;
 
-    /// Index in `values()` of the entries (i, j) and (j, i), which share one value; valid until the next `analyse`.
+    /// Index in `values()` of the entry (i, j), which is also that of (j, i). It is valid until the next `analyse`.
     /// \pre the pattern contains the entry.
     int slot(int i, int j) const;
 
-    /// Values of the lower triangle, indexed by `slot`. For i ≠ j, add to `values()[slot(i, j)]` only once.
+    /// Values of the lower triangle, indexed by `slot`. Because (i, j) and (j, i) share one value, add to it only once.
     std::span<double> values();
 
     /// Sets all values to zero and keeps the pattern.
     void clear();
 
     /// Factors the matrix with its current values.
-    /// \return −1 on success; if the matrix is not positive definite to working precision, the index of an unknown
+    /// \return −1 on success. If the matrix is not positive definite to working precision, the index of an unknown
     ///         without stiffness, which belongs to a loose body or a mechanism.
     /// \throws std::bad_alloc if memory runs out.
     [[nodiscard]] int factor();
 
-    /// Turn the factor of A into the factor of A + Σ c·cᵀ or A − Σ c·cᵀ. The matrix values are not changed. Adding or
-    /// removing a column takes a fraction of the time that `factor` takes.
+    /// Turn the factor of A into the factor of A + Σ c·cᵀ (`addRanks`) or A − Σ c·cᵀ (`takeRanks`), summed over the
+    /// vectors c in `columns`. The matrix values are not changed. Adding or removing a column takes a fraction of the
+    /// time that `factor` takes.
     /// \return false if the result is not positive definite; the factor is then invalid until the next `factor`.
-    /// \pre `factor` returned −1, neither function has returned false since, and the pattern contains every product of
-    ///      two entries of a column.
+    /// \pre `factor` returned −1, neither function has returned false since, and for every c in `columns` the matrix
+    ///      pattern contains all non-zero entries of c·cᵀ.
     [[nodiscard]] bool addRanks(std::span<const SparseColumn> columns);
     [[nodiscard]] bool takeRanks(std::span<const SparseColumn> columns);
 

@@ -27,12 +27,12 @@ public:
     /// Strain gradients of link i: six entries for body A, then six for body B.
     const double* gradient(std::size_t i) const { return &gradients_[12 * i]; }
 
-    /// Index of the first unknown of body A or B of link i.
+    /// Index of the first unknown of body A (`firstOfA`) or body B (`firstOfB`) of link i in a padded vector.
     int firstOfA(std::size_t i) const { return first_[i].a; }
     int firstOfB(std::size_t i) const { return first_[i].b; }
 
-    /// Norm of the generalised force on body A or B per unit force of link i, with moments and strain terms converted
-    /// to forces by the problem's weights.
+    /// Norm of the generalised force on body A (`pullOnA`) or body B (`pullOnB`) per unit force of link i. Moments and
+    /// strain terms are converted to forces with `StepProblem::weight`.
     double pullOnA(std::size_t i) const { return pulls_[i].a; }
     double pullOnB(std::size_t i) const { return pulls_[i].b; }
 
@@ -56,7 +56,7 @@ public:
         for (int k = 0; k < 6; ++k) b[k] += force * g[6 + k];
     }
 
-    /// Strain increments of all links for `x` (padded), computed in parallel if there are many links.
+    /// Strain increments of all links due to displacement `x` (padded), computed in parallel if there are many links.
     void rates(const Eigen::VectorXd& x, std::vector<double>& result) const;
 
     /// Strains of all links at displacement `d` (padded).
@@ -74,7 +74,7 @@ private:
     std::vector<Pulls> pulls_;
 };
 
-/// Add or remove the padding zeros at the end of a vector with one entry per unknown.
+/// Add (`padded`) or remove (`unpadded`) the padding zeros at the end of a vector with one entry per unknown.
 Eigen::VectorXd padded(const Eigen::VectorXd& x);
 Eigen::VectorXd unpadded(const Eigen::VectorXd& x);
 

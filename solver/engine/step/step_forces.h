@@ -14,21 +14,23 @@ namespace keyblock {
 /// Strain of every link at displacement `d`.
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);
 
-/// Net force (external minus internal) on every unknown at `d`. For a prescribed unknown it is minus the reaction.
+/// Net force (external minus internal) on every unknown at displacement `d`. For a prescribed unknown it is the
+/// negative of the reaction.
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Generalised contact forces on every unknown over the step, before multiplication by the weight that the time scheme
 /// gives to contact forces.
 Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Reference force for residuals [N]: the force magnitudes are summed for each kind of force, and the largest sum is
-/// returned.
+/// Reference force for residuals [N]: the magnitudes are summed separately for each kind of force (loads, reactions,
+/// contacts, bolts), and the largest sum is returned.
+/// \param net the net force at displacement `d`, as returned by `netForce`.
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
 
-/// Norm of the residual over the free unknowns of all bodies [N].
+/// Norm of the net force over the free unknowns of all bodies [N].
 double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net);
 
-/// Norm of the residual over the free unknowns of one body [N].
+/// Norm of the net force over the free unknowns of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
 /// Force error [N] caused by an error of `length` [m] in all positions.

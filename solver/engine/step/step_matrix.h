@@ -28,7 +28,8 @@ public:
     /// Begins a step. The pattern, ordering and factor of the previous step are kept if they are still valid.
     void begin(const StepProblem& problem, const LinkRows& rows);
 
-    /// Updates or recomputes the factor for these weights, one non-negative weight per link [N/m].
+    /// Updates or recomputes the factor.
+    /// \param weights one non-negative weight per link of the step [N/m].
     /// \return −1 on success, otherwise the index of an unknown without stiffness.
     [[nodiscard]] int factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work);
@@ -45,14 +46,14 @@ public:
     /// inaccurate.
     void forget() { current_ = false; }
 
-    /// Product of `x` and the matrix for the last weights; `x` and the result are padded. The entries of prescribed
-    /// unknowns are undefined.
+    /// Product of the matrix and `x`, with the weights of the last call of `factor`. `x` and the result are padded. In
+    /// the result, the entries of prescribed unknowns have no meaning.
     /// \param rates receives the links' strain increments due to `x`.
     Eigen::VectorXd product(const StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& x,
                             std::vector<double>& rates) const;
 
-    /// Displacement under `force`, solved with the last factor; both vectors are padded. It is zero for prescribed
-    /// unknowns.
+    /// Displacement under `force`, solved with the last factor. Both vectors are padded. The displacement is zero for
+    /// prescribed unknowns.
     /// \pre `factor` returned −1.
     Eigen::VectorXd solve(const Eigen::VectorXd& force, StepWork& work);
 

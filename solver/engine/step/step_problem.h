@@ -18,9 +18,9 @@ namespace keyblock {
 enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
                       Drag };
 
-/// Link between two bodies, or acting on a single body. With the displacements D[a] and D[b] of the bodies over the
-/// step, its strain is strain + shift + ga·D[a] + gb·D[b]. The gradients come last so that the data read by loops over
-/// the laws are contiguous.
+/// Link between two bodies, or acting on a single body. Its strain at the end of the step is
+/// `strain` + `shift` + `ga`·D[a] + `gb`·D[b], where D[a] and D[b] are the displacements of the bodies over the step.
+/// The gradients are the last members so that loops over the laws read contiguous data.
 struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b is −1 if the link acts on one body only
@@ -33,8 +33,8 @@ struct Link {
     Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
 };
 
-/// Makes the limit of a capped link depend on the force F of another link. Neither the limit nor F is multiplied by
-/// `Law::share`.
+/// Dependence of the limit of a link with a capped law on the force F of another link. Neither the limit nor F is
+/// multiplied by `Law::share`.
 struct LimitPair {
     enum class Rule {
         Push,  // base + factor·⟨−F⟩: joint, with the tangent of its friction angle as factor
@@ -81,7 +81,8 @@ inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
     return problem.rule;
 }
 
-/// Force and tangent of a link at strain `e` in the step's equilibrium equations, not multiplied by `Law::share`.
+/// Force and tangent with which a link enters the step's equilibrium equations if its strain at the end of the step is
+/// `e`. Neither is multiplied by `Law::share`.
 inline LawResponse respond(const StepProblem& problem, const Link& link, double e) {
     LawResponse r = respondOverStep(link.law, link.strain, e, ruleOf(problem, link));
     if (problem.contactShare == 1.0 || !ofContact(link.kind)) return r;

@@ -55,7 +55,7 @@ private:
 
 inline constexpr double quietStart = 1e-9;  // a start with a residual up to this needs no solution
 
-/// Body to which an unknown belongs.
+/// Index of the body to which an unknown belongs.
 int bodyOf(const StepProblem& problem, int unknown);
 
 }  // namespace keyblock

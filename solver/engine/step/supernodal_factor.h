@@ -19,9 +19,10 @@ public:
     /// Stores the pattern of a factor. All later calls must use a factor with this pattern.
     void analyse(const cholmod_factor& factor);
 
-    /// Computes the factor of a matrix, given by its lower triangle with rows and columns in elimination order.
-    /// \return −1 on success; otherwise the first column whose pivot is not positive, and the factor is invalid.
-    /// \pre the factor's values have been allocated.
+    /// Computes the factor of a matrix.
+    /// \param matrix the lower triangle, with rows and columns in elimination order.
+    /// \return −1 on success. If a pivot is not positive, the index of the first such column; `factor` is then invalid.
+    /// \pre the values of `factor` have been allocated.
     int apply(const cholmod_sparse& matrix, cholmod_factor& factor);
 
 private:

@@ -23,11 +23,12 @@ public:
     /// Turns the factor L·Lᵀ of A into the factor of A + Σ c·cᵀ (if `add` is true) or A − Σ c·cᵀ (if false).
     /// \param columns the vectors c, with rows in elimination order.
     /// \return false if the result is not positive definite; the factor is then invalid.
-    /// \pre the pattern of the factor contains every product of two entries of a column.
+    /// \pre for every c in `columns`, the pattern of the factor contains all non-zero entries of the lower triangle of
+    /// c·cᵀ.
     bool apply(cholmod_factor& factor, bool add, std::span<const SparseColumn> columns);
 
 private:
-    /// Consecutive columns of a supernode, starting at their diagonal.
+    /// Consecutive columns of a supernode, from the row of the first column's diagonal entry downwards.
     struct Panel {
         double* values = nullptr;
         int stride = 0, width = 0, height = 0;

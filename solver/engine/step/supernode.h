@@ -11,7 +11,8 @@
 
 namespace keyblock {
 
-/// `width` columns starting at column `first`, with `height` rows. The first `width` rows form the diagonal block.
+/// Supernode of `width` columns, starting at column `first` of the factor, with `height` rows. The first `width` rows
+/// form the diagonal block.
 struct Supernode {
     double* values = nullptr;
     const int* rows = nullptr;  // row indices in elimination order

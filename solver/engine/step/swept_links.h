@@ -18,7 +18,7 @@ namespace keyblock {
 
 class SweptLinks {
 public:
-    /// Sum of the squared force changes and sum of the squared forces over one sweep.
+    /// Sums over one sweep: of the squared force changes (`changed`) and of the squared forces (`forces`).
     struct Change {
         double changed = 0.0, forces = 0.0;
     };
@@ -34,37 +34,39 @@ public:
     /// Index of swept link n in `StepProblem::links`.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
-    /// Sets the force on the blocks from everything except the swept links (padded): loads, prescribed displacements
-    /// and bolt links. It is constant during the sweeps.
+    /// Sets the forces on the blocks that are constant during the sweeps.
+    /// \param outer the generalised force of loads, prescribed displacements and bolt links (padded).
     void hold(const Eigen::VectorXd& outer);
 
-    /// Limits each force [N] to the range that its law allows. There is one force per swept link, not multiplied by
-    /// `Law::share`.
+    /// Limits each force to the range that its law allows.
+    /// \param forces one force per swept link, not multiplied by `Law::share` [N].
     void clip(std::vector<double>& forces);
 
-    /// Like `clip`, but also moves the blocks to equilibrium under the forces.
+    /// Like `clip`, but then also moves the blocks to equilibrium under the limited forces.
     void clipAndPlace(std::vector<double>& forces);
 
-    /// Like `clip`, but also adds the displacements caused by the force changes to the block displacements.
+    /// Like `clip`, but also moves the blocks by the displacements due to the force changes, so that they remain in
+    /// equilibrium.
     /// \pre the blocks are in equilibrium under the forces passed in.
     void clipPlaced(std::vector<double>& forces);
 
-    /// Block displacements in terms of the scaled unknowns, as a padded vector. They depend linearly on the forces.
+    /// Scaled displacements Lᵀ·d of the blocks under the current forces (padded). They depend linearly on the forces.
     Eigen::VectorXd& placed() { return moved_; }
 
     /// Sets each force in turn to the value given by its law, taking into account the block displacements that the
     /// force itself causes.
+    /// \param forces one force per swept link, not multiplied by `Law::share` [N].
     /// \param changes receives the force changes, one per swept link.
     /// \pre the blocks are in equilibrium under the forces passed in.
     Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
 
-    /// Friction limit of swept link n under these forces [N].
+    /// Friction limit of swept link n if the swept links have the forces `forces` [N].
     double limit(std::size_t n, const std::vector<double>& forces) const;
 
-    /// Strain at which the law of swept link n gives `force`; if the law is flat there, any such strain.
+    /// A strain at which the law of swept link n gives `force`. If the law is flat there, it is one of many.
     double strain(std::size_t n, double force) const;
 
-    /// Tangent of the law of swept link n while the contact is neither sliding nor open.
+    /// Tangent of the law of swept link n on its elastic branch, i.e. while the link is neither sliding nor open [N/m].
     double tangent(std::size_t n) const;
 
 private:

@@ -22,8 +22,8 @@ struct Trial {
 /// Evaluates the step at displacement `d` (padded) and sets the friction limits to match the forces there.
 Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d);
 
-/// Moves a trial by `length` times `direction` and evaluates it there.
-/// \param rates the links' strain increments due to `direction`.
+/// Adds `length` times `direction` to the displacement of a trial and evaluates the step there.
+/// \param rates the strain increment of each link due to `direction`.
 void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
              const std::vector<double>& rates, double length, Trial& trial);
 

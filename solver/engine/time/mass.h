@@ -15,8 +15,8 @@ struct StepProblem;
 Eigen::VectorXd velocitiesOf(const Model& model, const State& state);
 Eigen::VectorXd accelerationsOf(const Model& model, const State& state);
 
-/// Diagonal of the mass matrix of a bolt node, for the model's thickness: mass, mass and rotational inertia [kg, kg, kg
-/// m²].
+/// Diagonal of the mass matrix of a bolt node: mass for x and y [kg] and rotational inertia [kg m²], for all bolts in
+/// the thickness of the model.
 Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node);
 
 /// Accelerations M⁻¹·force of the unknowns that are free in `problem`; zero for prescribed unknowns and for unknowns

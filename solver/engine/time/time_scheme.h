@@ -54,10 +54,10 @@ struct SchemeFactors {
 };
 SchemeFactors factorsOf(const StepOptions& options);
 
-/// Expected displacement over a step, and the fraction of the step at which forces act.
+/// Prediction of the displacements over a step with these options, and the fraction of the step at which forces act.
 StepMove moveOf(const StepOptions& options);
 
-/// True for schemes with numerical dissipation: they reduce kinetic energy beyond the work done by forces.
+/// True for schemes with numerical dissipation: they remove kinetic energy even if no force does work.
 bool losesMotion(Inertia inertia);
 
 /// True for schemes that carry accelerations from step to step.
@@ -67,9 +67,9 @@ bool carriesAccelerations(Inertia inertia);
 Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
                              const Eigen::VectorXd& d);
 
-/// Sets the velocities of all bodies at the end of the step. The work that accelerates driven bodies and the energy
-/// dissipated by the scheme are added to the energy balance. The velocity of a prescribed unknown is its displacement
-/// in `d` divided by the length of the step.
+/// Sets the velocities of all bodies at the end of the step. The velocity of a prescribed unknown is its displacement
+/// in `d` divided by the time step. The work that accelerates bodies with prescribed unknowns and the energy dissipated
+/// by the scheme are added to the energy balance.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options);
 

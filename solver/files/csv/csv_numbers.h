@@ -20,7 +20,7 @@ public:
 
     void separatedBy(char separator) { separator_ = separator; }
 
-    /// Reads a cell.
+    /// Reads the number in a cell into `value`.
     /// \param place the description of the column for messages.
     /// \return false if the cell is not a number; this is reported as an error.
     bool read(const CsvCell& cell, const std::string& place, double& value);
@@ -39,7 +39,8 @@ private:
 /// \param index the index of the column, counted from 0.
 std::string csvColumnText(std::size_t index, const std::string& title);
 
-/// Error for a row with more or fewer cells than the header has; its message is empty if the counts match.
+/// Error for a row that has more or fewer cells than the header. Its message is empty if the numbers are equal.
+/// \param columns the number of cells of the header.
 Problem csvRowProblem(const CsvRow& row, std::size_t columns, char separator);
 
 }  // namespace keyblock

@@ -8,12 +8,12 @@
 
 namespace keyblock {
 
-/// Reads text that consists of a single number with a magnitude below 1e15; a leading `+` is allowed.
-/// \return false if the text is not such a number.
+/// Reads a number with a magnitude below 1e15. `text` must contain nothing else; a leading `+` is allowed.
+/// \return false if `text` is not such a number.
 bool readReal(std::string_view text, double& number);
 
-/// Reads text that consists of a single integer; a leading `+` is allowed.
-/// \return false if the text is not an integer.
+/// Reads an integer. `text` must contain nothing else; a leading `+` is allowed.
+/// \return false if `text` is not an integer.
 bool readInteger(std::string_view text, int& number);
 
 }  // namespace keyblock

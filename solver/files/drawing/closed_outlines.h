@@ -23,8 +23,9 @@ struct ClosedOutlines {
     std::vector<std::size_t> open;  // indices of the lines that belong to no outline
 };
 
-/// Joins lines whose ends lie within `tolerance` of each other into closed outlines; each closed line is an outline of
-/// its own. If several lines meet at an end, the first unused one in the order of `lines` is taken.
+/// Joins lines into closed outlines. Lines are joined where their ends lie within `tolerance` of each other. If several
+/// lines meet at an end, the first of them in `lines` that is not used yet is taken. Each closed line is an outline of
+/// its own.
 ClosedOutlines closeOutlines(std::span<const DrawnLine> lines, double tolerance);
 
 }  // namespace keyblock

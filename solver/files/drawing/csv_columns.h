@@ -26,7 +26,7 @@ struct CsvColumn {
 /// Whether a column contains lengths or coordinates.
 bool isLength(CsvColumnKind kind);
 
-/// Reads a column title: a name, optionally followed by a unit, with or without brackets.
+/// Reads a column title. It consists of a name and, optionally, a unit with or without brackets.
 CsvColumn readCsvColumn(const std::string& title);
 
 /// The preferred column titles, for messages.

@@ -42,16 +42,16 @@ struct DxfContent {
     std::vector<Problem> problems;
 };
 
-/// Sorts groups into the contents of a drawing. The result refers to `groups`.
+/// Sorts groups into the contents of a drawing. The result refers to `groups`, which must outlive it.
 DxfContent sortDxf(const DxfGroups& groups);
 
 /// Converts ASCII letters to lower case; used for the names of layers and blocks, which are not case-sensitive.
 std::string lowerCase(std::string_view text);
 
-/// Value of the first group with this code; empty if there is none.
+/// Value of the entity's first group with this code; empty if there is none.
 std::string_view valueOf(const DxfEntity& entity, int code);
 
-/// Value of the first group with this code as a number; `otherwise` if there is none.
+/// Value of the entity's first group with this code, as a number; `otherwise` if there is none.
 double realOf(const DxfEntity& entity, int code, double otherwise);
 int integerOf(const DxfEntity& entity, int code, int otherwise);
 

@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// Reads the lines of a DXF file from its text, with inserted blocks at their positions. Every entity in model space,
-/// and in the blocks inserted there, is either in `lines` or in `notTaken`.
+/// Reads a drawing from the text of a DXF file. Inserted blocks are replaced by their contents. Every entity in model
+/// space, and in the blocks inserted there, is either in `Drawing::lines` or in `Drawing::notTaken`.
 /// \param sagitta the largest distance between a curve and the polyline that replaces it, in drawing units; null: 5e-4
 ///        times the longer side of the drawing.
 Drawing readDxf(std::string_view text, std::optional<double> sagitta = std::nullopt);

@@ -25,8 +25,8 @@ struct DxfGroups {
 };
 
 /// Splits the text of a DXF file into groups, which refer to `text`. The result has an error if the file is binary
-/// (including binary DXF and DWG), if a line is not a group code where one is expected, or if the file ends within its
-/// entities.
+/// (including binary DXF and DWG), if a line that must be a group code is not one, or if the file ends in the middle of
+/// its entities.
 DxfGroups readDxfGroups(std::string_view text);
 
 /// Whether groups with this code have a real number as their value (coordinates, lengths, angles).

@@ -6,12 +6,12 @@
 
 namespace keyblock {
 
-/// The role suggested by the name of a layer, in several languages; none if the name suggests none.
+/// The role suggested by the name of a layer, which may be in one of several languages; none if it suggests none.
 std::optional<LayerRole> guessedRole(std::string_view layer);
 
-/// Roles of all layers that contain lines; `ImportedLayer::source` shows which roles were guessed. A single error lists
-/// all layers whose role is neither given nor guessed. A role given for a layer that is not in the drawing is an error.
-/// Layers that are frozen or off are ignored unless a role is given for them by name.
+/// Roles of all layers that contain lines, sorted by name. `ImportedLayer::source` shows which roles were guessed. One
+/// error lists all layers whose role is neither given nor guessed. A role given for a layer without entities is an
+/// error. Layers that are frozen or off are ignored unless a role is given for them by name.
 std::vector<ImportedLayer> layerRoles(const Drawing& drawing, const ImportSettings& settings,
                                       std::vector<Problem>& problems);
 

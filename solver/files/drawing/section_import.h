@@ -37,7 +37,7 @@ struct ImportedLayer {
     std::string source;  // source of the role for messages: given, guessed from its name, frozen or off, …
 };
 
-/// Number of entities of one kind on one layer that became scene objects of the same type.
+/// Number of entities of the kind `kind` on the layer `layer` that became scene objects of the type `became`.
 struct ImportRow {
     std::string kind;
     std::string layer;
@@ -60,8 +60,8 @@ struct Import {
 /// \param name the file name of the drawing.
 Import importSection(Drawing drawing, const ImportSettings& settings, const std::string& name);
 
-/// Makes a scene from a file, which is read as a list of joints or bolts if its name ends in `.csv`, otherwise as a DXF
-/// drawing.
+/// Makes a scene from a file. The file is read as a list of joints or bolts if its name ends in `.csv`, otherwise as a
+/// DXF drawing.
 /// \throws CannotRead if the file cannot be opened.
 Import importFile(const std::filesystem::path& path, const ImportSettings& settings);
 

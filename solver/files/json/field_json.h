@@ -14,7 +14,8 @@
 
 namespace keyblock {
 
-/// Adds an error at `node`.
+/// Adds an error about the value `node`, at its line.
+/// \param pointer the JSON pointer to `node`.
 void addError(std::vector<Problem>& problems, const JsonNode& node, std::string pointer, std::string message,
               std::string remedy);
 
@@ -23,7 +24,7 @@ void addError(std::vector<Problem>& problems, const JsonNode& node, std::string 
 std::optional<FieldValue> valueFromJson(const Field& field, const JsonNode& node, const std::string& pointer,
                                         std::vector<Problem>& problems);
 
-/// The value as written in a scene file.
+/// JSON form of a field's value, as written in a scene file.
 JsonNode jsonFromValue(const Field& field, const FieldValue& value);
 
 }  // namespace keyblock

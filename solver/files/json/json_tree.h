@@ -23,7 +23,7 @@ struct JsonMember;
 using JsonList = std::vector<JsonNode>;
 using JsonObject = std::vector<JsonMember>;  // in the order of the text, without duplicate keys
 
-/// One value: null, Boolean, number (always finite), text, list or object.
+/// One value: null, Boolean, number (always finite), string, list or object.
 struct JsonNode {
     std::variant<std::monostate, bool, double, std::string, JsonList, JsonObject> value;
     int line = 0;  // line on which the value begins, from 1; 0: not read from a text
@@ -45,7 +45,7 @@ inline constexpr int deepestJson = 64;  // nesting depth of lists and objects
 inline constexpr std::size_t longestJson = std::size_t{64} << 20;  // bytes
 inline constexpr std::size_t mostJsonValues = 2'000'000;
 
-/// Reads JSON text encoded in UTF-8. Problems have a line and a pointer, but no file.
+/// Reads JSON text encoded in UTF-8. The problems in the result have a line and a pointer, but no file name.
 JsonReading readJson(std::string_view text);
 
 /// The member with this key; null if there is none or if `node` is not an object.
@@ -54,13 +54,13 @@ const JsonNode* findMember(const JsonNode& node, std::string_view key);
 /// The value at a JSON pointer; null if there is none.
 const JsonNode* nodeAt(const JsonNode& root, std::string_view pointer);
 
-/// Line of the value at a JSON pointer, or of the last existing value along it.
+/// Line of the value at a JSON pointer. If it does not exist, the line of the innermost existing value on the path.
 int lineAt(const JsonNode& root, std::string_view pointer);
 
 /// Type of a value as named in messages: `null`, `true or false`, `a number`, `a text`, `a list` or `an object`.
 std::string_view kindText(const JsonNode& node);
 
-/// Whether the text is valid UTF-8.
+/// Whether `text` is valid UTF-8.
 bool isUtf8(std::string_view text);
 
 }  // namespace keyblock

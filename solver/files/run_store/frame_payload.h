@@ -32,14 +32,15 @@ enum class Payload {
 /// Names of the payloads in the store, in the order of `Payload`.
 std::span<const std::string_view> payloadWords();
 
-/// Columns of one row of the payload, in order.
+/// Columns of a row of this payload, in the order in which their values are stored.
 std::span<const PayloadColumn> payloadColumns(Payload payload);
 
-/// All rows of the payload in a frame, one after another.
+/// Values of all rows of this payload in a frame, one row after another.
 std::vector<double> pack(Payload payload, const Frame& frame);
 
-/// Sets the data of a frame from the rows of a payload. Blocks must be unpacked first, bolts before nodes, contacts
-/// before contact forces, and weights before inertia.
+/// Sets the data of a frame from the rows of a payload. The blocks must be unpacked before all other payloads, bolts
+/// before nodes, contacts before contact forces, and weights before inertia.
+/// \param values the values of all rows, as returned by `pack`.
 /// \param blocks the number of solved blocks.
 /// \return false if the values do not match the scene, the number of blocks or the columns.
 bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);

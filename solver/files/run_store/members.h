@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace members_detail {
 
-/// Converts to any type; used only to check whether an expression compiles.
+/// A type that converts to any other; used only to check whether an expression compiles.
 struct Anything {
     template <typename T>
     operator T() const;

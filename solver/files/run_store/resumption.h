@@ -19,7 +19,7 @@ struct Resumption {
     std::optional<Checkpoint> checkpoint;  // state from which to resume; none: start from the beginning
 };
 
-/// Determines how to resume the run of `scene` from a store. If the store does not exist or is an empty file, the run
+/// Determines how to resume the run of `scene` from a store. If the file `store` does not exist or is empty, the run
 /// starts from the beginning.
 /// \throws CannotRead if the file is not a run store or is damaged, or if it belongs to another scene or build.
 Resumption resumptionOf(const std::filesystem::path& store, const Scene& scene);
