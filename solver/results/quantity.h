@@ -31,7 +31,7 @@ Measurement measure(const Quantity& quantity, const Scene& scene, std::span<cons
 Measurement measure(std::string_view text, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// Reads a quantity that is given as such a string from a run kept in memory.
+/// Reads a quantity from a run kept in memory. The quantity is a string, written as in the scene's `quantities`.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
 /// Comparison of a value computed by the run with the value that the scene expects.

@@ -38,8 +38,8 @@ struct StageWarning {
 /// fraction of the block's weight, exceeds `until.body`, and another if its energy balance error exceeds 1 %.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 
-/// The result of the stage with the largest ratio of unbalanced force to weight of a block; none if no block was
-/// checked.
+/// The result of the stage with the largest ratio of a block's unbalanced force to the block's weight; none if no block
+/// was checked.
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records);
 
 }  // namespace keyblock
