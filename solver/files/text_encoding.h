@@ -9,11 +9,12 @@
 
 namespace keyblock {
 
-/// Converts text to UTF-8 unless it is already valid UTF-8. Undefined bytes and control characters become `?`.
+/// Converts text to UTF-8 unless it is already valid UTF-8. Control characters, and bytes that the encoding does not
+/// define, become `?`.
 /// \param codePage the encoding of the text, as named in DXF files (`ANSI_1252`); empty: Windows 1252.
 std::string asUtf8(std::string_view text, std::string_view codePage);
 
-/// Replaces the DXF escape sequences `\U+XXXX` by the characters that they represent.
+/// Returns the text with DXF escape sequences `\U+XXXX` replaced by the characters that they represent.
 std::string withDxfEscapes(std::string_view text);
 
 }  // namespace keyblock

@@ -11,8 +11,8 @@
 
 namespace keyblock {
 
-/// All forces on the blocks of a frame, sorted by block and then in the order of `ForceSource`. Inactive (excavated or
-/// removed) blocks have none. Empty if the frame stores no forces.
+/// All forces on the blocks of a frame, sorted by block and, for each block, in the order of `ForceSource`. Inactive
+/// (excavated or removed) blocks have no forces. The list is empty if the frame stores no forces.
 std::vector<BlockForce> blockForces(const Frame& frame);
 
 /// Moment about `centre` of a force acting at the point `at`, counter-clockwise positive [N m].

@@ -44,23 +44,25 @@ struct BoltUse {
     /// strength.
     std::array<std::optional<double>, boltStrengths.size()> use;
     std::optional<BoltStrength> governs;  // highest utilisation; none if the bolt has no strength or carried no force
-    /// Blocks that the bolt crossed when it was installed, in order from its head, except the block that contains its
-    /// far end. Each is given by its index in the frames; a block divided into cells, by that of its first cell.
+    /// Indices in the frames of the blocks that the bolt crossed when it was installed, in order from its head, without
+    /// the block that contains its far end. A block divided into cells has the index of its first cell.
     std::vector<int> holds;
 
     double highest() const { return governs ? *use[static_cast<std::size_t>(*governs)] : 0.0; }
 };
 
-/// Utilisation of a bolt; `holds` is left empty.
+/// Utilisation of the bolt with index `bolt`, from its extremes; `holds` is left empty.
 BoltUse boltUse(int bolt, const BoltExtremes& extremes);
 
 /// The governing strength and its utilisation, as in "bond used to 87 %"; empty if no strength governs.
 std::string useText(const BoltUse& use);
 
-/// Nodes of every bolt in the first frame after its installation; empty for a bolt that has not been installed yet.
+/// Nodes of the bolts in the first frame after their installation, indexed by bolt and node; no nodes for a bolt that
+/// has not been installed yet.
 std::vector<std::vector<BoltNodeFrame>> boltsAsInstalled(const RunSource& run);
 
-/// One entry per bolt of the scene; empty for a run without frames or a store without bolt extremes.
+/// Design data of all bolts of the scene, indexed by bolt; empty for a run without frames or a store without bolt
+/// extremes.
 std::vector<BoltUse> boltUses(const RunSource& run);
 
 }  // namespace keyblock

@@ -13,8 +13,9 @@
 
 namespace keyblock {
 
-/// Chains of event indices. Each begins with an event that no other event caused, and continues, in order of time, with
-/// the events that it caused directly or indirectly. Isolated events are left out.
+/// Chains of indices into `events`. Each chain begins with an event that no other event caused, followed by all events
+/// that this event caused directly or indirectly, in order of time. An event that was not caused by another event and
+/// caused none itself is left out.
 std::vector<std::vector<std::size_t>> causeChains(std::span<const Event> events);
 
 }  // namespace keyblock

@@ -21,7 +21,7 @@ class CsvWriter {
 public:
     explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-    /// Writes text, quoted if it contains a comma, a quote or a line break.
+    /// Writes a string, in quotes if it contains a comma, a quote or a line break.
     CsvWriter& text(std::string_view value);
     CsvWriter& number(double value);
     CsvWriter& integer(long value);

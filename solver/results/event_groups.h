@@ -25,14 +25,15 @@ public:
     long of(EventKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
     long of(EventGroup group) const;
 
-    /// Number of events of a kind, as in "984 joint slips"; empty if there were none.
+    /// The number of events of a kind as text, e.g. "984 joint slips"; empty if there were none.
     std::string kindText(EventKind kind) const;
 
-    /// Number of events of each kind in a group, as in "984 joint slips, 208 joint openings"; empty if there were none.
+    /// The number of events of each kind in a group as text, e.g. "984 joint slips, 208 joint openings"; empty if there
+    /// were none.
     std::string kindsText(EventGroup group) const;
 
-    /// Number of events of each group and kind, as in "1192 slip (984 joint slips, 208 joint openings), 56 debondings";
-    /// empty if there were no events.
+    /// The number of events of each group and kind as text, e.g. "1192 slip (984 joint slips, 208 joint openings), 56
+    /// debondings"; empty if there were no events.
     std::string text() const;
 
     bool operator==(const EventCounts&) const = default;

@@ -27,7 +27,8 @@ struct QuantityDisplay {
     bool isSigned = false;  // both signs occur, so the colour scale is centred on 0
 };
 
-/// Numerical quantity that can be read from each row (block, contact, bolt node or energy) of a frame.
+/// A quantity that can be read from a frame. `Row` is the struct from which it is read: a block, a contact, a bolt node
+/// or the energy balance.
 template <typename Row>
 struct FrameQuantity {
     std::string_view name;  // name by which the user requests it: sigma1
@@ -50,10 +51,10 @@ const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows,
     return nullptr;
 }
 
-/// The frame quantity that corresponds to a bolt quantity; null if frames do not store values of it along the bolt.
+/// The frame quantity that corresponds to a bolt quantity; null if frames do not store this quantity for each node.
 const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity);
 
-/// The description of a bolt quantity. \pre `quantity` is an element of `boltQuantities()`.
+/// The row of `boltQuantityRows` that describes a bolt quantity. \pre `quantity` is an element of `boltQuantities()`.
 const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity);
 
 /// Comma-separated names of the quantities in the list.
@@ -74,13 +75,13 @@ inline constexpr std::array boltPeakRows{BoltPeakRow{BoltQuantity::AxialForce, &
                                          BoltPeakRow{BoltQuantity::ShearForce, &BoltExtremes::shearForce},
                                          BoltPeakRow{BoltQuantity::Moment, &BoltExtremes::moment}};
 
-/// Largest value of a bolt quantity from the start of the run to a frame; null if none is recorded for this quantity.
+/// The entry of `extremes` for the bolt quantity with this name; null if no extreme of it is recorded.
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);
 
-/// Extreme value of a block quantity from the start of the run to a frame; null if none is recorded for this quantity.
+/// The entry of `extremes` for the block quantity with this name; null if no extreme of it is recorded, or none so far.
 const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity);
 
-/// Contact force on block a [N]; the force on block b is equal and opposite.
+/// Contact force on block `contact.blockA` [N]; the force on block `contact.blockB` is equal and opposite.
 Point forceOnA(const ContactFrame& contact);
 
 /// In-plane principal stresses, compression positive.
@@ -89,7 +90,7 @@ struct PrincipalStress {
     Point direction{1.0, 0.0};  // unit vector in the direction of σ₁; along x if both stresses are equal
 };
 
-/// Principal stresses σ₁ and σ₃ [Pa], compression positive.
+/// Principal stresses [Pa], compression positive: first σ₁ (the larger), then σ₃.
 /// \param stress the components sxx, syy and sxy [Pa], tension positive.
 std::pair<double, double> principalValues(const std::array<double, 3>& stress);
 

@@ -14,7 +14,7 @@ namespace keyblock {
 /// column for each quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
-/// Index of the history column that records the values of `subject`.
+/// Index in `historyColumns(scene).names` of the column that records the values of `subject`.
 int historyColumn(const Scene& scene, const Subject& subject);
 
 }  // namespace keyblock

@@ -20,18 +20,18 @@ struct Measurement {
     std::string problem;
 };
 
-/// Reads a quantity from the history and the events. The result is a problem if the history has no rows, if the column
-/// of the quantity contains no number, or if the event did not occur.
+/// Reads a quantity from the history and the events. There is a problem instead of a value if the history has no rows,
+/// if the column of the quantity contains no number, or if the event did not occur.
 /// \param history the rows in order of time, with the columns of `historyColumns(scene)`.
 Measurement measure(const Quantity& quantity, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// Reads a quantity given as text in the form used in `quantities`; the result is a problem if the text does not match
-/// the scene.
+/// Reads a quantity that is given as a string, written as in the scene's `quantities`. There is a problem instead of a
+/// value if the string does not match the scene.
 Measurement measure(std::string_view text, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// Reads a quantity given as text in the form used in `quantities` from a run kept in memory.
+/// Reads a quantity from a run kept in memory. The quantity is a string, written as in the scene's `quantities`.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
 /// Comparison of a value computed by the run with the value that the scene expects.

@@ -32,7 +32,8 @@ std::string measureUnitWords();
 /// The word for a measure in messages, e.g. `force` or `length`.
 std::string_view wordOf(Measure measure);
 
-/// Normalises a name for comparison: lower case, with each run of `_`, `-`, `.` and blanks replaced by one blank.
+/// A name in the form used to compare names: lower case, with each sequence of `_`, `-`, `.` and spaces replaced by one
+/// space.
 std::string plainName(std::string_view name);
 
 struct Title {
@@ -40,7 +41,7 @@ struct Title {
     std::string unit;  // `kN`; empty if the title gives none
 };
 
-/// Splits a title into name and unit: `load_kN`, `Load (kN)`, `load [kN]` or `load kN`.
+/// Splits a title such as `load_kN`, `Load (kN)`, `load [kN]` or `load kN` into name and unit.
 Title partedTitle(std::string_view title);
 
 struct ReferenceColumn {

@@ -29,13 +29,14 @@ std::optional<EventKind> eventKindOf(std::string_view word);
 /// The outcome for this word; none if there is no such outcome.
 std::optional<Outcome> outcomeOf(std::string_view word);
 
-/// Name of a solved block; empty if the index does not refer to a block.
+/// Name of the block with index `block` in the frames; empty if the index does not refer to a block.
+/// \param names the block names of the run, as returned by `blockNames`.
 std::string blockName(const std::vector<std::string>& names, int block);
 
-/// Name of a bolt; empty if the index does not refer to a bolt.
+/// Name of the bolt with index `bolt`; empty if the index does not refer to a bolt.
 std::string boltName(const Scene& scene, int bolt);
 
-/// Name of a stage; empty if the index does not refer to a stage.
+/// Name of the stage with index `stage`; empty if the index does not refer to a stage.
 std::string stageName(const Scene& scene, int stage);
 
 /// Name of a stage, preceded by the word "stage" unless the name already begins with it: "stage release", "stage 4";

@@ -102,7 +102,8 @@ struct BoltFrame {
     bool operator==(const BoltFrame&) const = default;
 };
 
-/// The value of largest magnitude over the run, with the location on the bolt and the time at which it occurred.
+/// The value of largest magnitude of a bolt quantity over the run, with the location on the bolt and the time at which
+/// it occurred.
 struct BoltPeak {
     double value = 0.0;  // signed
     double at = 0.0;  // [m] from the far end, unstrained
@@ -165,7 +166,7 @@ struct BlockForce {
     bool operator==(const BlockForce&) const = default;
 };
 
-/// Body forces: forces proportional to the mass of a block.
+/// Body forces on a block: its weight and its inertia forces, both proportional to its mass.
 struct BodyForce {
     Point weight{0.0, 0.0};  // from gravity and body accelerations, as far as they are applied [N]
     Point inertia{0.0, 0.0};  // −m·a over the step of the frame; 0 in a static stage [N]
@@ -174,7 +175,8 @@ struct BodyForce {
     bool operator==(const BodyForce&) const = default;
 };
 
-/// Contact force that acts over a dynamic step, for the block positions at the middle of the step.
+/// Contact force that acts over a dynamic step. The moments belong to the block positions with which the step was
+/// computed.
 struct ContactStepForce {
     Point force{0.0, 0.0};  // force on block a; the opposite force acts on block b [N]
     double momentA = 0.0, momentB = 0.0;  // moments on blocks a and b about their centroids [N m]
@@ -182,12 +184,12 @@ struct ContactStepForce {
     bool operator==(const ContactStepForce&) const = default;
 };
 
-/// The forces on the blocks that cannot be derived from the contacts of a frame; `blockForces` (block_forces.h) lists
-/// all forces.
+/// The forces on the blocks that cannot be derived from the contacts of a frame. For the list of all forces, see
+/// `blockForces` (block_forces.h).
 struct FrameForces {
-    std::vector<BodyForce> bodies;  // one row per block; empty if no forces were stored
-    std::vector<ContactStepForce> contacts;  // dynamic stage: one row per contact; static: empty, see `Frame::contacts`
-    std::vector<Point> nodes;  // one row per node of all bolts: force of its anchor on the block around it [N]
+    std::vector<BodyForce> bodies;  // one per block; empty if no forces were stored
+    std::vector<ContactStepForce> contacts;  // dynamic stage: one per contact; static: empty, see `Frame::contacts`
+    std::vector<Point> nodes;  // one per node of all bolts: force of its anchor on the block around it [N]
     std::vector<BlockForce> others;  // all other forces; a bond between cells is listed for one of the two cells only
 
     bool operator==(const FrameForces&) const = default;
@@ -202,8 +204,8 @@ struct Frame {
     std::vector<BoltFrame> bolts;
     Energy energy;
     FrameForces forces;
-    std::vector<BoltExtremes> extremes;  // one row per bolt, from the start of the run to this frame
-    std::vector<BlockExtremes> blockExtremes;  // one row per block, from the start of the run to this frame
+    std::vector<BoltExtremes> extremes;  // one per bolt, from the start of the run to this frame
+    std::vector<BlockExtremes> blockExtremes;  // one per block, from the start of the run to this frame
     long events = 0;  // number of events so far, which distinguishes frames at the same time before and after an event
 
     bool operator==(const Frame&) const = default;
@@ -220,9 +222,9 @@ struct HistoryRow {
 };
 
 /// Names of the columns of the history. The columns of the monitors come first, as printed in the history table (e.g.
-/// `crown_ux_m`, `B1_force_N`). Then there is one column for each quantity of every bolt (`BOLT.axial_force`, … in the
-/// order of `BoltQuantity`). Each of these contains the signed value of largest magnitude along the bolt, from which
-/// `quantities` are read.
+/// `crown_ux_m`, `B1_force_N`). They are followed by one column for each quantity of every bolt (`BOLT.axial_force`, …
+/// in the order of `BoltQuantity`), which contains the signed value of largest magnitude along the bolt. The scene's
+/// `quantities` are read from all these columns.
 struct HistoryColumns {
     std::vector<std::string> names;
     int monitorValues = 0;  // number of leading columns shown in the history table
@@ -237,7 +239,7 @@ enum class Movement { Slides, Falls, Topples, Follows };
 
 /// Movement of an unstable block, or of the block with the largest displacement.
 struct UnstableBlock {
-    int block = -1;  // row in the frames; the first row of a block divided into cells
+    int block = -1;  // index in the frames; for a block divided into cells, that of its first cell
     Movement mode = Movement::Slides;
     double moved = 0.0;  // largest corner displacement [m] relative to the neighbours at the start of the stage
     double weight = 0.0;  // [N] for the thickness of the model
@@ -247,7 +249,7 @@ struct UnstableBlock {
 
 /// The block or bolt node with the largest relative unbalanced force at the last equilibrium of a static stage.
 struct WorstBalance {
-    int block = -1;  // row in the frames; −1: nothing was checked, or it is a bolt node
+    int block = -1;  // index in the frames; −1: nothing was checked, or it is a bolt node
     double share = 0.0;  // unbalanced force divided by the block's weight or its substitute
     double force = 0.0;  // unbalanced force [N]
 
@@ -269,8 +271,8 @@ struct Health {
     bool operator==(const Health&) const = default;
 };
 
-/// Diagnostics of the latest step, for observers; the run does not depend on them. Block indices are −1 if there
-/// is no such block.
+/// Diagnostics of the latest step, for display only; the run does not depend on them. Block indices are −1 if there is
+/// no such block.
 struct StepHealth {
     int passes = 0;  // iterations
     int worst = -1;  // block with the largest relative unbalanced force
@@ -290,7 +292,7 @@ struct StageResult {
     std::string message;  // reason for instability, failure or no verdict: blocks or nodes concerned, and what to do
     std::vector<int> blocks;  // blocks that move or are not in equilibrium
     std::vector<UnstableBlock> unstable;  // blocks that make the stage unstable
-    UnstableBlock farthest;  // of the blocks that the verdict considers, the one that moved most for its size
+    UnstableBlock farthest;  // moved most for its size among the blocks that the verdict considers
     std::vector<int> loose;  // blocks removed in this stage because they are too small to affect the verdict
     Health health;
 

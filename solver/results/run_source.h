@@ -50,8 +50,8 @@ public:
     virtual Frame frame(std::size_t index) const = 0;
 };
 
-/// The stage with which a run continues after a stage with this result; none if the run ends. A stage that follows a
-/// collapse is skipped if there was no collapse. \param scene the scene as run.
+/// Index of the stage with which a run continues after a stage with this result; none if the run ends. A stage that
+/// only follows a collapse is skipped if there was no collapse. \param scene the scene as run.
 std::optional<int> stageAfter(const Scene& scene, const StageResult& result);
 
 /// Whether the run is complete after a stage with this result: the stage was the last one, or it became unstable and no
@@ -62,10 +62,11 @@ bool endsRun(const Scene& scene, const StageResult& result);
 /// Whether the run is complete.
 bool isFinished(const RunSource& run);
 
-/// Whether a static stage is unstable: it collapsed, or reached equilibrium only after large displacements.
+/// Whether a static stage with this outcome is unstable: it collapsed, or reached equilibrium only after large
+/// displacements.
 bool endedUnstable(Outcome outcome);
 
-/// Whether a stage ended as intended: in equilibrium, or at the end of its duration.
+/// Whether a stage with this outcome ended as intended: in equilibrium, or at the end of its duration.
 bool endedAsPlanned(Outcome outcome);
 
 /// A run kept in memory. \pre the results outlive this object.

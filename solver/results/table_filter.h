@@ -19,7 +19,7 @@ struct TableFilter {
     std::optional<int> bolt;  // index; null: every bolt
     std::optional<When> when;  // null: the default of the table
     double time = 0.0;  // within `stage`; used if `when` is `At`
-    std::optional<long> events{};  // of frames at one time, selects the one after this many events; null: the last
+    std::optional<long> events{};  // selects, among frames at one time, the one after this many events; null: the last
 };
 
 /// A filter read from strings, or an error message if the strings are not valid.

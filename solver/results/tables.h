@@ -26,9 +26,9 @@ std::optional<TableKind> tableKindOf(std::string_view word);
 /// Whether the table can be filtered by bolt.
 bool hasBolts(TableKind kind);
 
-/// Index of the frame at the time given by the filter, by default the last frame of its stage or of the run. If several
-/// frames have this time, the frame with `filter.events` events is chosen or, if there is no such frame, the last. None
-/// if no frame matches the filter.
+/// Index of the frame selected by the filter. If the filter gives no time, this is the last frame of the stage or, if
+/// it gives no stage either, of the run. Among several frames at the selected time, the one with `filter.events` events
+/// is taken or, if there is none, the last. None if no frame matches the filter.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
 /// Writes a table: a header, then the rows. By default, tables made from frames (bolts, blocks, contacts, forces) show

@@ -24,7 +24,8 @@ struct Verdict {
 };
 
 /// Verdict on a run, finished or not.
-/// \param records stages begun so far. \param scene the scene as run.
+/// \param records the stages begun so far, in order.
+/// \param scene the scene as run.
 Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene);
 
 /// Reason to doubt the numerical results of a stage.
@@ -33,11 +34,12 @@ struct StageWarning {
     std::string text;  // without a full stop
 };
 
-/// Warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block exceeds
-/// `until.body`, and another if its energy balance error exceeds 1 %.
+/// Warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block, as a
+/// fraction of the block's weight, exceeds `until.body`, and another if its energy balance error exceeds 1 %.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 
-/// The stage with the largest ratio of a block's unbalanced force to its weight; none if no block was checked.
+/// The result of the stage with the largest ratio of a block's unbalanced force to the block's weight; none if no block
+/// was checked.
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records);
 
 }  // namespace keyblock

@@ -11,10 +11,10 @@
 
 namespace keyblock {
 
-/// Updates the extremes with the state of an active block.
+/// Updates the extremes of an active block with its state at `time` in `stage`.
 void addExtreme(const BlockState& block, int stage, double time, BlockExtremes& extremes);
 
-/// Resets the largest displacements, for `zero_displacements`.
+/// Resets the largest displacements of all blocks, for `zero_displacements`.
 void forgetDisplacements(std::vector<BlockExtremes>& extremes);
 
 }  // namespace keyblock

@@ -13,14 +13,15 @@
 
 namespace keyblock {
 
-/// Initial extremes, one row per bolt, with zero forces. The utilisation of a strength that a bolt does not have is −1.
+/// Initial extremes, indexed by bolt, with zero forces. The utilisation of a strength that a bolt does not have is −1.
 std::vector<BoltExtremes> startExtremes(const Model& model);
 
 /// Updates the extremes with the forces of the bolts in `state`.
 void addExtremes(const Model& model, const State& state, int stage, double time, std::vector<BoltExtremes>& extremes);
 
-/// Utilisation of the steel under an axial force and a moment: their ratio to the values at which the cross-section
-/// becomes fully plastic, (N/N_p)² + |M|/M_p = 1, if both increase in proportion.
+/// Utilisation u of the steel under an axial force N and a moment M. N_p and M_p are the values at which the
+/// cross-section becomes fully plastic under N or M alone; under N/u and M/u together, the cross-section is just fully
+/// plastic: (N/(u·N_p))² + |M|/(u·M_p) = 1.
 /// \param axial the ratio N/N_p.
 /// \param bending the ratio M/M_p.
 double steelUse(double axial, double bending);

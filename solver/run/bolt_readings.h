@@ -11,12 +11,12 @@
 
 namespace keyblock {
 
-/// Value of a quantity at the distance `s` [m] from the far end. Element quantities are read from the element at that
-/// point (at a node, from the element that starts there), node quantities from the nearest node; quantities of the
-/// whole bolt do not depend on `s`.
+/// Value of a quantity at the distance `s` [m] from the far end. A quantity of elements is read from the element at `s`
+/// (at a node: from the element that starts there), a quantity of nodes from the nearest node. A quantity of the whole
+/// bolt does not depend on `s`.
 double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity, double s);
 
-/// Signed value of largest magnitude along the bolt.
+/// Signed value of largest magnitude of a quantity along the bolt.
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
 /// Axial force [N] at which the bond of a node fails at its current embedment and confinement, i.e. the peak of the

@@ -31,8 +31,8 @@ struct FrameClock {
     int keptStage = -1;
 };
 
-/// Complete state of a run. Every member is a plain value or a container of plain values, so that all members are
-/// written and read without a separate list of them.
+/// Complete state of a run. Every member is a plain value or a container of plain values, so that all members can be
+/// written and read without listing them by name.
 struct Checkpoint {
     State state;
     int stage = 0;

@@ -22,14 +22,15 @@ struct EnergyExcess {
     int block = -1;  // block that has gained most energy since the start of the stage; −1: none has
 };
 
-/// Records the energy balance at the start of a stage in `mark`.
+/// Called at the start of a stage. Stores the energy-balance error at that time in `mark.left` and updates
+/// `mark.largest`.
 void markEnergy(const Model& model, const State& state, EnergyMark& mark);
 
-/// Returns the energy-balance error since the start of the stage if it exceeds the limit, otherwise none. Errors below
-/// 1e-3 of the largest energy of the run are treated as numerical noise, and so are errors below 1e-9·E·V·ε², where ε
-/// is a strain of 1e-4 and E and V are the Young's modulus and volume of the block with the largest E·V.
+/// The energy-balance error since the start of the stage; none if it does not exceed the limit. An error is ignored as
+/// numerical noise if it is below 1e-3 of the largest energy of the run, or below 1e-9·E·V·ε². E and V are the Young's
+/// modulus and volume of the block with the largest E·V, and ε is a strain of 1e-4.
 /// \param start the blocks at the start of the stage.
-/// \param allowed the limit, as a fraction of the largest term.
+/// \param allowed the limit, as a fraction of the largest term of the energy balance.
 /// \param mark the reference values; `mark.largest` is updated.
 std::optional<EnergyExcess> energyExcess(const Model& model, const State& state, const std::vector<BlockMotion>& start,
                                          double allowed, EnergyMark& mark);

@@ -34,25 +34,25 @@ bool callsForFrames(const Event& event);
 /// True for events detected only after the step was accepted, for which there is no state just before the event.
 bool isSeenAfterwards(const Event& event);
 
-/// True if a bolt carries a noticeably larger axial force than in any frame so far.
+/// True if the axial force of a bolt is noticeably larger (by more than 0.2 %) than in any frame so far.
 bool exceedsShown(const Model& model, const State& state, const EventFrames& frames);
 
-/// True if a bolt carries an axial force so much larger than in any frame so far that the state is stored even if
-/// `mayKeep` is false.
+/// True if the axial force of a bolt is so much larger (by more than 5 %) than in any frame so far that the state is
+/// stored even if `mayKeep` returns false.
 bool isFarAboveShown(const Model& model, const State& state, const EventFrames& frames);
 
-/// True if the axial force of a bolt peaked in state `before`, is lower in the next state `after`, and is noticeably
-/// larger than in any frame so far.
+/// True if the axial force of a bolt is larger in state `before` than in the next state `after`, and noticeably larger
+/// than in any frame so far.
 bool passedPeak(const Model& model, const State& before, const State& after, const EventFrames& frames);
 
-/// Updates `frames.shown` with a state that is stored as a frame.
+/// Updates `frames.shown` with the axial forces in a state that is stored as a frame.
 void noteShown(const Model& model, const State& state, EventFrames& frames);
 
 /// Whether another additional frame may be stored.
 /// \param planned the number of frames at equal intervals from the start of the run to the end of the current stage.
 bool mayKeep(const EventFrames& frames, long planned);
 
-/// True if `now` is so soon after the frame `kept` that another frame would show nothing new.
+/// True if `now` is so soon after the stored frame at `kept` that another frame would show nothing new.
 /// \param interval the time between the regular frames of the stage: [s], or pseudo-time in a static stage.
 bool isShortlyAfter(const KeptAt& kept, const KeptAt& now, double interval);
 

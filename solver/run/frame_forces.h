@@ -10,9 +10,10 @@
 namespace keyblock {
 
 /// Converts the list of forces from the engine to the form stored in a frame.
+/// \param state the state for which the engine listed the forces.
 /// \param frame the frame made from `state`.
-/// \param moves true if the forces act over a dynamic step. Contact forces are then stored as well, because
-///        `frame.contacts` contains the forces at the end of the step, which differ.
+/// \param moves true if the forces act over a dynamic step. Contact forces are then stored as well, because they differ
+///        from those in `frame.contacts`, which act at the end of the step.
 FrameForces frameForces(const std::vector<SingleForce>& forces, const State& state, const Frame& frame, bool moves);
 
 }  // namespace keyblock

@@ -24,8 +24,8 @@ struct StageFrames {
 /// point of the block. In each stage, these loads change linearly with pseudo-time from their values in the previous
 /// stage to their values in this stage. In the first stage, and in any stage that changes strengths, they act in full
 /// from the start. Blocks that are fixed as a whole get no loads.
-/// \param run the first and last frame of every stage of `scene`.
-/// \pre the scene was checked without errors and all its stages are static and ended in equilibrium.
+/// \param run the first and last frame of every stage of `scene`, indexed by stage.
+/// \pre `checkScene(scene)` found no error, and all stages are static and ended in equilibrium in `run`.
 Scene withFrozenBolts(const Scene& scene, const std::vector<StageFrames>& run);
 
 }  // namespace keyblock

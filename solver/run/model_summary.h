@@ -64,12 +64,12 @@ struct ModelSummary {
     CostEstimate estimate;
 };
 
-/// Makes the whole summary. It solves the scene's own equations a few times to measure the time per iteration, so the
+/// Makes the whole summary. To measure the time per iteration, the scene's own equations are solved a few times, so the
 /// estimate varies from call to call.
 /// \param scene the scene as solved: the result of `cutScene`.
-/// \param cut the cut that produced it, used to list what the cut left out; null if the scene was not cut.
-/// \param stop if it becomes true, the function soon returns without a summary; null: cannot be stopped.
-/// \pre the scene was checked without errors and has blocks.
+/// \param cut the cut that produced `scene`, used to list what the cut left out; null if the scene was not cut.
+/// \param stop if it becomes true, the function soon returns without a summary; null: the function cannot be stopped.
+/// \pre `checkScene` found no error in the scene, and the scene has blocks.
 std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut,
                                              const std::atomic<bool>* stop = nullptr);
 

@@ -33,7 +33,7 @@ public:
     Frame frame(const State& state, int stage, double time) const;
     HistoryRow history(const State& state, int stage, double time) const;
 
-    /// Updates the extremes with the blocks in `state`. \param extremes one row per block.
+    /// Updates the extremes with the blocks in `state`. \param extremes one entry per block.
     void addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const;
 
 private:
@@ -49,7 +49,7 @@ private:
 
     const Scene& scene_;
     const Model& model_;
-    std::vector<std::array<Fixed, 2>> fixed_;  // a row per monitor
+    std::vector<std::array<Fixed, 2>> fixed_;  // one entry per monitor
     Reference& reference_;
 };
 

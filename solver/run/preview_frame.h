@@ -11,10 +11,10 @@
 
 namespace keyblock {
 
-/// A frame that shows the scene before a run: it belongs to no stage or time, and has no contacts and no rock in
+/// A frame that shows the scene before a run. It belongs to no stage or time, and has no contacts and no rock in
 /// tunnels.
 /// \param scene the scene as solved: the result of `cutScene`.
-/// \pre the scene was checked without errors and has blocks.
+/// \pre `checkScene` found no error in the scene, and the scene has blocks.
 Frame previewFrame(const Scene& scene);
 
 }  // namespace keyblock

@@ -27,8 +27,8 @@ struct Progress {
     StepHealth step;  // the latest step
 };
 
-/// Describes a long search for equilibrium, as in "searching, 40 solves: b161 moves 12 mm"; empty for a search of fewer
-/// than 10 solves.
+/// Text that describes a long search for equilibrium, e.g. "searching, 40 solves: b161 moves 12 mm"; empty for a search
+/// of fewer than 10 solves.
 /// \param names the block names as returned by `blockNames`.
 std::string searchText(const StepHealth& step, const std::vector<std::string>& names);
 
@@ -48,11 +48,11 @@ struct RunSettings {
 };
 
 /// Runs every stage of a checked scene, or resumes an unfinished run.
-/// \param from the checkpoint to resume from, which a run of the same scene and build passed to its sink; null: start
-///        from the beginning.
+/// \param from the checkpoint to resume from, which a run of the same scene and build has passed to its sink; null:
+///        start from the beginning.
 /// \pre `checkScene(scene)` found no error.
-/// \return one result for each stage that began. A collapse is a result; the outcome `Failed` (numerical failure),
-///         `Stopped` or `Limit` ends the run.
+/// \return one result for each stage that began. No stage is run after a stage with the outcome `Failed` (numerical
+///         failure), `Undecided`, `Stopped` or `Limit`; for a stage that became unstable, see `stageAfter`.
 std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {},
                              const Checkpoint* from = nullptr);
 

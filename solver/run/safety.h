@@ -34,23 +34,26 @@ struct SafetyFactor {
     bool nothingToFreeze = false;  // bolt forces were to be frozen, but the scene fails with unreduced strengths
 };
 
-/// Runs a scene and passes the results to a sink, as `run` does.
+/// Runs the scene `reduced`, whose strengths are divided by `factor`, and passes the results to a sink, as `run` does.
 using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
 
-/// The factor to try next: 1, then doubled or halved until a bracket is found, then the middle of the bracket. None
-/// once the bracket is no wider than `tolerance`, the smallest or largest factor has been tried, or three runs in a row
-/// gave no verdict.
+/// The factor to try next: 1, then doubled or halved until a bracket is found, then the middle of the bracket. None if
+/// the bracket is no wider than `tolerance`, if the smallest or largest factor has been tried without finding a
+/// bracket, or if the last three runs gave no verdict.
+/// \param lower largest factor found to be stable so far; null: none yet.
+/// \param upper smallest factor found to be unstable so far; null: none yet.
 /// \param undecided number of runs without a verdict since the last verdict. After one such run, the next factor is at
-/// a quarter of the bracket; after two, at three quarters. Without a bracket, the factor that would be tried for
-/// `undecided` = 0 is multiplied by 0.9 after one such run and by 1.1 after two.
+///        a quarter of the bracket; after two, at three quarters. Without a bracket, the factor is instead multiplied
+///        by 0.9 after one such run and by 1.1 after two.
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 
-/// Finds the factor of safety to within `scene.safety.tolerance`. With frozen bolt forces, all runs except the one at
-/// factor 1 use the scene without bolts (frozen_bolts.h); if the scene is not stable at factor 1, the search ends,
-/// because there are no bolt forces in equilibrium to freeze.
+/// Finds the factor of safety to within `scene.safety.tolerance`. With frozen bolt forces, the first run, at factor 1,
+/// has bolts; all other runs use the scene without bolts (frozen_bolts.h). If the scene is not stable at factor 1, the
+/// search then ends, because there are no bolt forces in equilibrium to freeze.
+/// \param trial runs a scene with reduced strengths.
+/// \param report called after every run that was not stopped and did not reach a limit; may be empty.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
-/// \param report called after every run, unless it was stopped or reached a limit; may be empty.
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& report = {});
 

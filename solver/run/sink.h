@@ -19,8 +19,8 @@ public:
     virtual ~Sink() = default;
 
     virtual void begin(const Scene& scene, const HistoryColumns& columns) = 0;
-    /// Called instead of `begin` for a sink that already has the results up to a checkpoint. Any results after the
-    /// checkpoint are discarded.
+    /// Called instead of `begin` for a sink that already has the results up to the checkpoint `from`. Any results after
+    /// the checkpoint are discarded.
     virtual void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from);
     virtual void stageBegins(int stage) = 0;
     virtual void event(const Event& event) = 0;
@@ -28,12 +28,12 @@ public:
     /// Stores a frame. Once this function returns, all results received so far are safely stored.
     virtual void frame(const Frame& frame) = 0;
     virtual void stageEnds(const StageResult& result) = 0;
-    /// Receives a state from which, together with the results so far, the run can be resumed. Sinks that do not support
-    /// resuming ignore it.
+    /// Receives a checkpoint. The run can be resumed from it and the results so far. Sinks that do not support resuming
+    /// ignore checkpoints.
     virtual void checkpoint(const Checkpoint&) {}
 };
 
-/// Keeps everything in memory.
+/// A sink that keeps all results in memory.
 class MemorySink : public Sink {
 public:
     void begin(const Scene&, const HistoryColumns& columns) override { results.columns = columns; }

@@ -25,13 +25,13 @@ struct BlockPositions {
 /// Reference positions for judging the stability of a stage at its end; plain values, part of the checkpoint.
 struct StageStart {
     std::vector<BlockMotion> blocks;
-    std::vector<std::pair<int, int>> joined;  // rows of blocks that touched or were bolted to each other
+    std::vector<std::pair<int, int>> joined;  // indices of blocks that touched or were bolted to each other
     BlockPositions nine, eight;  // positions at 90 % and 80 % of the duration of a dynamic stage
 };
 
 StageStart startOfStage(const Model& model, const State& state);
 
-/// Records the positions at 80 % and 90 % of a dynamic stage once these times are reached.
+/// Records the positions at 80 % and 90 % of the duration of a dynamic stage once these times are reached.
 void mark(StageStart& start, const State& state, double time, double duration);
 
 /// Finds the unstable blocks at the end of a stage. Except for the list that `collapsed` returns, the lists
@@ -39,7 +39,7 @@ void mark(StageStart& start, const State& state, double time, double duration);
 class Stability {
 public:
     /// \param loads the loads of the stage. Blocks moved by prescribed motions or dilations of the stage, and all
-    ///        blocks joined to them, are exempt.
+    ///        blocks joined to them directly or through other blocks that are not fixed, are not judged.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
     /// Unstable blocks of a collapse. `blocks` come first, in the given order. They are followed, with
@@ -51,12 +51,12 @@ public:
     /// corner), and the blocks joined to them that moved at least 0.9 times as far.
     std::vector<UnstableBlock> displaced(double share) const;
 
-    /// Blocks that fell, moved by more than their own size, or are still moving without slowing down at the end of a
-    /// dynamic stage.
+    /// Blocks that are unstable in a dynamic stage: they fell, moved by more than their own size, or are still moving
+    /// without slowing down at the end of the stage.
     std::vector<UnstableBlock> moving() const;
 
-    /// Of the blocks that the stability verdict considers, the one that moved the most relative to its size; `block` is
-    /// −1 if there is none.
+    /// The block that moved most relative to its size, among the blocks that the stability verdict considers. If there
+    /// is none, `block` is −1.
     UnstableBlock farthest() const;
 
     /// Blocks removed in this stage because they are too small to affect the verdict.

@@ -33,12 +33,12 @@ public:
     StageLoads(const Model& model, const Scene& scene, LoadMemory& memory)
         : model_(model), scene_(scene), memory_(memory) {}
 
-    /// Adds the loads and motions of a stage. A motion replaces an earlier motion of the same block; a load replaces
-    /// a load of an earlier stage at the same position.
+    /// Adds the loads and motions of the stage with index `stage`. A motion replaces an earlier motion of the same
+    /// block; a load replaces a load of an earlier stage at the same position.
     void begin(int stage, State& state);
 
-    /// Adds the forces that excavated rock exerted on the remaining rock, to be released during this stage and later
-    /// ones. \pre a stage that releases them has begun: a static stage, or one with `relaxation`.
+    /// Adds the forces that excavated rock exerted on the remaining rock. They are released during this stage and later
+    /// ones. \pre the stage that has begun releases such forces: it is static or has `relaxation`.
     void hold(const std::vector<WallForce>& walls);
 
     /// Sets the viscous boundaries of this stage.

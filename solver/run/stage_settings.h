@@ -16,10 +16,11 @@ namespace keyblock {
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
-/// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once;
-/// the times of all entries of load and motion tables are included. If the stage does not set the number of increments,
-/// their lengths are chosen during the run. The result then contains only the times at which an increment must end:
-/// those of the table entries and those at which `output` requests a frame.
+/// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once. It
+/// is the only one if no load varies and the stage does not set the number of increments. If the stage sets the number
+/// of increments, the list contains the ends of equal increments and the times of all entries of load and motion
+/// tables. Otherwise, the lengths of the increments are chosen during the run, and the list contains only the times at
+/// which an increment must end: the times of the table entries, the times at which `output` requests a frame, and 1.
 /// \param loads the loads, for which `begin` has been called with this stage.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
@@ -34,7 +35,7 @@ double frameInterval(const Scene& scene, const Stage& stage);
 /// Largest number of frames at equal intervals from the start of the run to the end of a stage.
 long plannedFrames(const Scene& scene, int stage);
 
-/// Sides of the domain that are viscous boundaries in a stage. \pre the scene was checked without errors.
+/// Sides of the domain that are viscous boundaries in a stage. \pre `checkScene` found no error in the scene.
 std::vector<BoundarySide> viscousSides(const Stage& stage);
 
 /// Sets the initial velocity of a block; all its cells move as one rigid body.

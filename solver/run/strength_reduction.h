@@ -12,16 +12,18 @@
 
 namespace keyblock {
 
-/// The scene with the strengths selected by `safety.reduce` divided by `factor` from the start of the run. For joint
-/// materials these are the tangents of the peak and residual friction angles, the cohesion and the tensile strength,
-/// also where later stages change them; for anchors they are the strength, the residual strength, the tangent of the
-/// friction angle and the curve (slip and force). A factor of 1 leaves every value exactly as it is. A stage that
-/// finds no equilibrium ends the run. See theory, "Factor of safety".
+/// The scene with the strengths selected by `safety.reduce` divided by `factor` from the start of the run.
+/// Joint materials: the tangents of the peak and residual friction angles, the cohesion and the tensile strength, also
+/// where later stages change them.
+/// Anchors: the strength, the residual strength, the tangent of the friction angle, the softening slip, and the slips
+/// and forces of the curve.
+/// A factor of 1 leaves every value exactly as it is. A stage that finds no equilibrium ends the run. See theory,
+/// "Factor of safety".
 /// \pre factor > 0.
 Scene withReducedStrength(const Scene& scene, double factor);
 
-/// Reasons why a checked scene cannot have a factor of safety: no stages, a dynamic stage, no strength to reduce, or
-/// reduction of bonds with frozen bolt forces. The problems have pointers but no file and line.
+/// Reasons why the factor of safety of a checked scene cannot be computed: no stages, a dynamic stage, no strength to
+/// reduce, or reduction of bonds with frozen bolt forces. The problems have pointers but no file and line.
 std::vector<Problem> checkSafety(const Scene& scene);
 
 }  // namespace keyblock

@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-/// Earlier observations; joints are identified by pairs of blocks. Part of the checkpoint.
+/// Earlier observations. A joint is identified by the indices of its two blocks. Part of the checkpoint.
 struct WatchMemory {
     using Pair = std::pair<int, int>;
     std::map<Pair, Contact> closed;  // joints closed at the latest check, with the first contact of each at that time
@@ -31,7 +31,7 @@ public:
     /// Prepares for a new stage: joint events are reported once per pair of blocks and stage.
     void beginStage(const State& state) const;
 
-    /// Events since the last check. Also marks fallen blocks and pulled-out bolts in `state`.
+    /// Returns the events since the last check, and marks fallen blocks and pulled-out bolts in `state`.
     std::vector<Event> look(State& state) const;
 
     /// Records a joint event reported elsewhere, so that it is not reported again.

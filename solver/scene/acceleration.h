@@ -10,16 +10,16 @@
 
 namespace keyblock {
 
-/// Value of a record at a time [s], interpolated linearly; zero before the first row and after the last.
+/// Value of a record at a time [s], interpolated linearly; zero before the first row and after the last row.
 /// \pre times increase from row to row.
 double recordAt(const Table& record, double time);
 
 /// Acceleration [m/s²] at a time [s] from the start of the stage. A constant value is returned in full, although static
 /// stages scale it with pseudo-time.
-/// \pre `acceleration` was checked without errors.
+/// \pre the check of the scene found no error in `acceleration`.
 Point accelerationAt(const Acceleration& acceleration, double time);
 
-/// Body force per unit mass [m/s²] in addition to gravity, at a time [s] from the start of the stage: the body
+/// Body force per unit mass [m/s²] in addition to gravity, at a time [s] from the start of the stage. It is the body
 /// acceleration minus the acceleration of the ground (theory, "Shaking"); zero if the stage has neither.
 Point bodyForceAt(const Stage& stage, double time);
 
@@ -34,11 +34,11 @@ struct Baseline {
 /// \param factor the acceleration [m/s²] per unit of the record.
 Baseline baselineOf(const Table& record, double factor);
 
-/// Mean time between rows [s]; 0 for fewer than two rows.
+/// Mean time between the rows of a record [s]; 0 for fewer than two rows.
 double spacingOf(const Table& record);
 
-/// Longest time step [s] that resolves the accelerations of a stage: the row spacing of a record, or 1/40 of the period
-/// of a sine; infinite if the stage has neither.
+/// Longest time step [s] that resolves all accelerations of a stage: the mean row spacing of a record, or 1/40 of the
+/// period of a sine; infinite if the stage has no acceleration that varies.
 double longestStepFor(const Stage& stage);
 
 }  // namespace keyblock

@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// The anchor with its softening slip replaced by a force–slip curve. Anchors without a softening slip, strength or
-/// stiffness are returned unchanged.
+/// The anchor with its softening slip replaced by a force–slip curve. An anchor that lacks a softening slip, a strength
+/// or a stiffness is returned unchanged.
 Anchor withCurve(const Anchor& anchor);
 
 }  // namespace keyblock

@@ -15,11 +15,11 @@ inline constexpr double automaticBody = 1e-3;  // for `until.body`, relative to 
 inline constexpr double automaticSmallest = 0.01;  // for `until.smallest` [m²]
 inline constexpr int automaticIterations = 20000;  // for `limits.iterations`
 
-/// Automatic value of `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if
-/// that is smaller.
+/// Automatic value of `until.unbalanced`, relative to the reference force: 1e-4, or `analysis.tolerance` if that is
+/// smaller.
 double automaticUnbalanced(const Scene& scene);
 
-/// Longest time step [s] of a dynamic stage that does not set one.
+/// Automatic value of the longest time step [s] of a dynamic stage.
 double automaticTimeStep(const Stage& stage);
 
 /// Second moment of area [m⁴]: π/64·d⁴ for a solid bar of diameter d; π/64·(d⁴ − d_i⁴) for a tube of area A with the
@@ -33,8 +33,8 @@ double automaticPlasticModulus(const BoltType& type);
 /// Young's modulus [Pa]: slope of the first segment of `steel`, or 200 GPa if there is no `steel`.
 double automaticYoungsModulus(const BoltType& type);
 
-/// Name of the default joint material of blocks and of the domain: the first in the scene; empty if the scene has none,
-/// so that the built-in one applies.
+/// Name of the default joint material of blocks and of the domain: the first joint material of the scene. Empty if the
+/// scene has none; the built-in joint material then applies.
 std::string automaticJointMaterial(const Scene& scene);
 
 /// Name of the default joint material of joints, joint sets and Voronoi cells: the joint material of the domain or, if

@@ -92,7 +92,7 @@ void checkActivation(CheckContext& context);  // names that stages excavate, ins
 void checkWatch(CheckContext& context);  // monitors, quantities and expected values
 
 /// True if the bolt runs through a valid block that is not excavated.
-/// \param gone for each block, true if it is excavated; empty: no block is excavated.
+/// \param gone true for each block that is excavated, indexed by block; empty: no block is excavated.
 bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::vector<bool>& gone);
 
 /// Checks the anchors of a bolt type or bolt, except their positions along the bolt.
@@ -102,18 +102,20 @@ void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer
 /// \param block the index of the block; −1 is ignored.
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
-/// Index of the block that contains a `block_at` point; −1 if there is none, which is reported as an error unless some
-/// blocks are invalid.
+/// Index of the block that contains a `block_at` point; −1 if there is no such block. The error is then reported, but
+/// only if all blocks are valid.
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);
 
-/// Index of the block that contains a point, inside or on its boundary; −1 if there is none, which is reported as an
-/// error unless some blocks are invalid.
+/// Index of the block that contains a point inside it or on its boundary; −1 if there is no such block. The error is
+/// then reported, but only if all blocks are valid.
 int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer);
 
 /// Reports an axis of zero length.
 void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report);
 
 /// Reports every name that is already used by an earlier item; empty names are ignored.
+/// \param count the number of items; `nameOf` and `pointerOf` are called with indices from 0 to `count` − 1.
+/// \param what one such item as named in messages, e.g. `bolt`.
 void checkNamesDiffer(std::size_t count, const std::function<std::string(std::size_t)>& nameOf,
                       const std::function<std::string(std::size_t)>& pointerOf, std::string_view what,
                       CheckReport& report);

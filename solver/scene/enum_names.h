@@ -81,7 +81,7 @@ constexpr Words wordsOf(BoltForces) { return boltForcesWords; }
 constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 
-/// Labels displayed for the words; empty if the words themselves are displayed.
+/// Labels shown to the user instead of the words, in the same order; empty if the words themselves are shown.
 template <typename Enumeration>
 constexpr Words labelsOf(Enumeration) {
     return {};

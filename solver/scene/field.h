@@ -56,8 +56,8 @@ struct Range {
     bool mostExcluded = false;
 };
 
-/// Condition for a field: the value of the field `key` of the same object is one of `words` or, if `words` is empty, is
-/// not null.
+/// Condition for a field, which refers to the field `key` of the same object: its value must be one of `words` or, if
+/// `words` is empty, must not be null.
 struct Only {
     std::string_view key{};
     std::vector<std::string_view> words{};  // empty: the field `key` only has to be given
@@ -141,7 +141,8 @@ const Structure& sceneStructure();
 /// Field table of a bolt type. The reader resolves `like` separately.
 const Structure& boltTypeStructure();
 
-/// The scene's table and all tables below it, each once, in depth-first order of the rows that refer to them.
+/// The scene's table and all tables below it. Each table is listed once, in depth-first order of the rows that refer to
+/// it.
 std::vector<const Structure*> allStructures();
 
 /// The row with this key; null if there is none.

@@ -64,7 +64,7 @@ private:
     std::vector<std::int64_t> frameKeys_;  // key in the store for each head
 };
 
-/// All results in a store.
+/// Reads all results of a store into memory. \throws CannotRead if the store is damaged.
 Results readResults(const RunStore& store);
 
 }  // namespace keyblock

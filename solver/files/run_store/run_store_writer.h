@@ -21,23 +21,23 @@ struct StoreExists : CannotWrite {
     using CannotWrite::CannotWrite;
 };
 
-/// Checks that a store may be written to `path`: there is no file, or `overwrite` is set and the file is a run store or
-/// empty. \throws StoreExists otherwise.
+/// Checks that a store may be written to `path`: there is no file at `path`, or `overwrite` is true and the file is
+/// empty or a run store. \throws StoreExists otherwise.
 void requireFreeStore(const std::filesystem::path& path, bool overwrite);
 
 class RunStoreWriter : public Sink {
 public:
     /// Writes nothing yet; `begin` creates the store and writes the scene to it.
-    /// \throws StoreExists
+    /// \throws StoreExists if no store may be written to `path` (see `requireFreeStore`).
     RunStoreWriter(std::filesystem::path path, bool overwrite);
-    /// Closes the store if it is still open; results that can no longer be written are lost.
+    /// Closes the store if it is still open. Results that can no longer be written are lost; nothing is thrown.
     ~RunStoreWriter() override;
     RunStoreWriter(const RunStoreWriter&) = delete;
     RunStoreWriter& operator=(const RunStoreWriter&) = delete;
 
     // Each function throws CannotWrite on failure; the store then keeps what was committed before.
     void begin(const Scene& scene, const HistoryColumns& columns) override;
-    /// Continues the existing store. \pre the store belongs to this scene, and `from` was read from it.
+    /// Continues the existing store. \pre the store belongs to this scene, and `from` was read from the store.
     void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from) override;
     void stageBegins(int stage) override;
     void event(const Event& event) override;

@@ -50,7 +50,7 @@ private:
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A prepared statement. Parameters are bound in order; columns are counted from 0. \throws Error
+/// A prepared statement. Values are bound to its parameters in order; columns are numbered from 0. \throws Error
 class Statement {
 public:
     Statement(const Database& database, std::string_view sql);
@@ -70,7 +70,7 @@ public:
     std::string text(int column) const;
     std::string bytes(int column) const;
     bool isNull(int column) const;
-    /// The doubles in a BLOB; none if its size is not a multiple of the size of a double.
+    /// The numbers in a BLOB column; none if the size of the BLOB is not a multiple of the size of a double.
     std::optional<std::vector<double>> doubles(int column) const;
 
 private:

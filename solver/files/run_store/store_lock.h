@@ -10,9 +10,9 @@
 
 namespace keyblock {
 
-/// Holds the lock on a store for the lifetime of this object.
-/// \pre the file exists, and all SQLite connections to it are closed before this object is destroyed, because closing
-///      the file releases SQLite's own locks.
+/// Holds the lock on a store for the lifetime of this object. Its destructor closes the file, which also releases
+/// SQLite's own locks.
+/// \pre the file exists, and all SQLite connections to it are closed before this object is destroyed.
 class StoreLock {
 public:
     /// Takes the lock. \throws CannotWrite if another run holds it, or if the file cannot be opened.

@@ -17,21 +17,21 @@ namespace keyblock::store_reading {
 
 inline constexpr const char* damaged = "the store is damaged; run the scene again with --overwrite";
 
-/// Throws CannotRead with the path and the reason.
+/// Throws CannotRead with a message that gives the path and the reason.
 [[noreturn]] void cannotRead(const std::filesystem::path& path, const std::string& reason);
 
 /// Opens a store and begins a read transaction. \throws CannotRead if the file is missing or is not a database.
 sqlite::Database opened(const std::filesystem::path& path);
 
 /// Opens a file that is known to be a store, possibly one to which this process is writing, and begins a read
-/// transaction. Only SQLite accesses the file, because closing it by other means would release the writer's locks.
+/// transaction. The file is opened through SQLite only: closing it by other means would release the writer's locks.
 /// \throws CannotRead
 sqlite::Database openedAgain(const std::filesystem::path& path);
 
 /// Checks that the database is a run store of the current version. \throws CannotRead if it is not.
 void requireRunStore(const sqlite::Database& database, const std::filesystem::path& path);
 
-/// A value from the table `about`; empty if the table has no such key.
+/// The value stored under `key` in the table `about`; empty if the table has no such key.
 std::string aboutValue(const sqlite::Database& database, std::string_view key);
 
 // Each of the following throws `sqlite::Error` if the store is damaged.
@@ -52,7 +52,10 @@ inline constexpr const char* headColumns =
     "balance_error, events";
 FrameHead headAt(const sqlite::Statement& row, const Scene& scene);
 
-/// The frame stored under `key`.
+/// Reads the frame stored under `key`.
+/// \param scene the scene as solved, i.e. after cutting.
+/// \param blocks number of blocks in each frame.
+/// \param head the data of the frame that have already been read.
 Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
               const FrameHead& head);
 

@@ -17,8 +17,8 @@ namespace keyblock {
 
 class StoredFrames {
 public:
-    /// \param solved the stored scene in the form in which it was solved, i.e. after it was cut.
-    /// \param blocks the number of solved blocks.
+    /// \param solved the scene as solved, i.e. after cutting.
+    /// \param blocks number of blocks in each frame.
     StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks);
 
     /// Reads a frame; may be called from any thread.

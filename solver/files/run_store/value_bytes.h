@@ -74,7 +74,8 @@ private:
     std::string bytes_;
 };
 
-/// Reads values from bytes in the order in which they were written. If the bytes end too early, `whole()` is false.
+/// Reads values from bytes in the order in which they were written. If the bytes end too early, `whole()` returns
+/// false.
 class ValueReader {
 public:
     explicit ValueReader(std::string_view bytes) : left_(bytes) {}

@@ -13,13 +13,15 @@
 
 namespace keyblock {
 
-/// All built-in types with `like` resolved, sorted by name. They are read once, on first use.
+/// All built-in bolt types, sorted by name, with every `like` resolved (bolt_type_reader.h). They are read once, on
+/// first use.
 const std::vector<BoltType>& builtInBoltTypes();
 
 /// The built-in type with this name; null if there is none.
 const BoltType* findBuiltInBoltType(std::string_view name);
 
-/// For a scene built in code: adds the built-in types that its bolts use but the scene does not define.
+/// For a scene built in code: adds the built-in types that its bolts and bolt patterns use but the scene does not
+/// define.
 void addUsedBuiltInBoltTypes(Scene& scene);
 
 }  // namespace keyblock

@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// Contents of each file, in the order of the file names.
+/// Contents of the files resources/bolts/*.json, one string per file, sorted by file name.
 std::span<const std::string_view> boltLibraryTexts();
 
 }  // namespace keyblock

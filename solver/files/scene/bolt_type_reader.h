@@ -14,8 +14,9 @@
 
 namespace keyblock {
 
-/// Reads an object whose members are bolt types, and resolves `like`, looking first among these types and then in
-/// `library`. A circular `like` or a missing type is reported as a problem; the type then starts from the defaults.
+/// Reads a JSON object whose members are bolt types. The type named by `like` is looked up first among these members,
+/// then in `library`. A circular `like` or an unknown name is reported as a problem; the type with this `like` then
+/// starts from the defaults.
 std::vector<BoltType> readBoltTypes(const JsonNode& node, const std::vector<BoltType>& library,
                                     const std::string& pointer, std::vector<Problem>& problems);
 

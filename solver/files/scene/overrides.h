@@ -15,10 +15,10 @@
 namespace keyblock {
 
 /// Sets each `path=value` in the tree, in order. Missing objects along the path are created; list items must exist. The
-/// value set by override i gets the line number −1 − i, by which `nameOrigins` identifies the option.
+/// value set by `overrides[i]` gets the line number −1 − i, by which `nameOrigins` identifies the option.
 void applyOverrides(JsonNode& root, std::span<const std::string> overrides, std::vector<Problem>& problems);
 
-/// Sets the origin of every problem: the file, or the option that set the value.
+/// Sets the origin of every problem: the option that set the value or, if no option did, `file`.
 void nameOrigins(std::vector<Problem>& problems, const std::string& file, std::span<const std::string> overrides);
 
 }  // namespace keyblock

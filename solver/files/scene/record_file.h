@@ -24,9 +24,9 @@ struct RecordReading {
     std::vector<Fault> faults;  // at most about ten; reading stops at a fault that affects the whole file
 };
 
-/// Reads the header `time_s,a` and rows of two numbers with decimal points, not commas. Times must not be negative and
-/// must increase. Spaces around numbers, LF or CRLF line endings, a byte order mark and empty rows at the end are
-/// allowed.
+/// Reads a record from CSV text: the header `time_s,a`, then rows of two numbers with decimal points, not commas. Times
+/// must not be negative and must increase. Spaces around numbers, LF or CRLF line endings, a byte order mark and empty
+/// rows at the end are allowed.
 RecordReading readRecordText(std::string_view text);
 
 /// Reads a record from a file, like `readRecordText`. If the file cannot be opened, this is reported as a fault.

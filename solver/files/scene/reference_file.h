@@ -19,12 +19,12 @@ struct ReferenceReading {
     std::vector<Problem> problems;  // if any is an error, the table must not be used
 };
 
-/// Reads a header and rows from text. Empty cells and `nan` are missing values. Columns without numbers are left out
-/// with a warning, except the column `stage`.
+/// Reads a table from CSV text: a header, then rows. Empty cells and `nan` are missing values. A column without numbers
+/// is left out with a warning, unless it is the column `stage`.
 /// \param file the file name for messages.
 ReferenceReading readReferenceTable(std::string_view text, const std::filesystem::path& file);
 
-/// Reads a header and rows from a file, like `readReferenceTable`.
+/// Reads a table from a CSV file, like `readReferenceTable`.
 /// \throws CannotRead if the file cannot be opened or is too large.
 ReferenceReading readReferenceFile(const std::filesystem::path& path);
 

@@ -25,9 +25,9 @@ struct SceneReading {
 };
 
 /// Reads and checks a scene file. If the file cannot be opened, this is reported as a problem.
-/// \param overrides the strings of the form `path=value`, applied before the scene is read and checked. The path is
-///        written as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer; the value is JSON or plain
-///        text.
+/// \param overrides strings of the form `path=value`, applied before the scene is read and checked. The path is written
+///        as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer. The value is JSON or, if it is not
+///        valid JSON, plain text.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// Reads and checks a scene given as text.

@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-/// Makes a scene from a tree of the newest version.
+/// Converts a JSON tree of the newest format version to a scene.
 /// \param folder the folder to which paths of record files are relative.
 /// \param unread receives an error for each value that cannot be read; such values keep their defaults.
 /// \param lost receives an error for each reference to a missing bolt type or record file; the scene keeps the
@@ -23,7 +23,7 @@ namespace keyblock {
 Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost);
 
-/// The field at a JSON pointer; null if the pointer leads to an item of a list or map, or to no known field.
+/// The field to which a JSON pointer leads; null if it leads to an item of a list or map, or to no known field.
 const Field* sceneFieldAt(const std::string& pointer);
 
 }  // namespace keyblock

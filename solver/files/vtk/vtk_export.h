@@ -12,12 +12,14 @@
 
 namespace keyblock {
 
-/// Writes a folder with `blocks.pvd`, `bolts.pvd` and `contacts.pvd`, each only if the run has such data, and a `.vtp`
-/// file for each time. Time is counted from the start of the run, with a duration of 1 for each static stage; each file
-/// contains the stage, and the time within the stage, as field data. Of several frames at the same time, only the last
-/// is written. The folder appears complete or not at all. It replaces an earlier export, but not a folder with other
-/// contents.
-/// \param filter selects the frames by stage and time; by default, all times are written.
+/// Writes a folder with a time series each for blocks, bolts (if the scene has any) and contacts: `blocks.pvd`,
+/// `bolts.pvd` and `contacts.pvd`, which list one `.vtp` file per time.
+/// Time is counted from the start of the run, and each static stage has a duration of 1. The field data of each `.vtp`
+/// file give the stage and the time within the stage.
+/// Of several frames at the same time, only the last is written. Exception: two frames of one stage with an event
+/// between them are both written, the first at a slightly smaller time.
+/// The folder appears complete or not at all. It replaces an earlier export, but not a folder with other contents.
+/// \param filter selects the frames by stage and time; by default, all frames are selected.
 /// \throws CannotWrite
 void writeVtkFolder(const RunSource& run, const TableFilter& filter, const std::filesystem::path& folder);
 

@@ -15,16 +15,16 @@
 
 namespace keyblock {
 
-/// Blocks of a run, with the positions from which their displacements are measured.
+/// Converts the blocks of a run's frames to data sets. Keeps the positions from which displacements are measured.
 class VtkBlocks {
 public:
     explicit VtkBlocks(const RunSource& run);
 
-    /// The corners as points with their displacements since the start or the last `zero_displacements`, and the blocks
-    /// as polygons with their values. A concave block is divided into triangles, because VTK fills polygons with few
-    /// corners as if they were convex. Blocks have no holes, because cutting divides the rock around an opening.
-    /// Inactive blocks are left out.
-    /// \pre frames are requested in order of time, including the last frame of every stage.
+    /// The blocks of a frame: corners as points with their displacements since the start or the last
+    /// `zero_displacements`, and blocks as polygons with their values. A concave block is divided into triangles,
+    /// because VTK fills polygons with few corners as if they were convex. Blocks have no holes, because cutting
+    /// divides the rock around an opening. Inactive blocks are left out.
+    /// \pre frames are passed in order of time, including the last frame of every stage.
     VtkPolyData data(const Frame& frame);
 
 private:
@@ -38,10 +38,11 @@ private:
     int stage_ = 0;  // stage of the last frame
 };
 
-/// Bolts with their forces: nodes as points, elements as lines, and face plates as vertices at the last nodes.
+/// The bolts of a frame with their forces: nodes as points, elements as lines, and face plates as vertices at the last
+/// nodes.
 VtkPolyData vtkBolts(const RunSource& run, const Frame& frame);
 
-/// Contacts as vertices with their values.
+/// The contacts of a frame as vertices with their values.
 VtkPolyData vtkContacts(const RunSource& run, const Frame& frame);
 
 }  // namespace keyblock

@@ -17,14 +17,15 @@
 
 namespace keyblock {
 
-/// Values at all points or in all cells, with `components` values for each.
+/// A named array with `components` values for each point or cell, or values for the whole data set.
 struct VtkArray {
     std::string name;
     std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::string>> values;
     int components = 1;
 };
 
-/// Cells of one kind in VTK's form: the point indices of all cells, and the end of each cell in that list.
+/// Cells of one kind as VTK stores them: the point indices of all cells in one list, and the end of each cell in that
+/// list.
 struct VtkCells {
     std::vector<std::int64_t> points;  // point indices
     std::vector<std::int64_t> ends;
@@ -32,7 +33,8 @@ struct VtkCells {
     void add(std::span<const std::int64_t> cell);
 };
 
-/// A data set in the plane z = 0. Cell arrays contain the values of the vertices, then the lines, then the polygons.
+/// A data set in the plane z = 0. Arrays in `cellData` contain the values of the vertices first, then those of the
+/// lines, then those of the polygons.
 struct VtkPolyData {
     std::vector<Point> points;  // [m]
     VtkCells vertices, lines, polygons;
@@ -41,16 +43,16 @@ struct VtkPolyData {
 };
 
 /// Writes a `.vtp` file: XML with the values appended as raw bytes.
-/// \pre each array has `components` values for each point or cell.
+/// \pre each array in `pointData` and `cellData` has `components` values for each point or cell.
 void writeVtkPolyData(const VtkPolyData& data, std::ostream& out);
 
-/// One file of a time series.
+/// One file of a time series, and its time.
 struct VtkMoment {
     double time = 0.0;
     std::string file;  // path relative to the folder of the `.pvd` file
 };
 
-/// Writes a `.pvd` file, which lists the data set for each time.
+/// Writes a `.pvd` file, which lists the file of each time.
 void writeVtkCollection(std::span<const VtkMoment> moments, std::ostream& out);
 
 }  // namespace keyblock
