@@ -157,25 +157,27 @@ bool isName(const Field& field);
 /// True for a Map, or for a List of objects that have a name.
 bool hasNames(const Field& field);
 
-/// Label of the field or, if it has none, one made from its key, e.g. `Dip deviation`.
+/// `field.label` or, if that is empty, a label made from the key, e.g. `Trace length` from `trace_length`.
 std::string labelText(const Field& field);
 
-/// Label of one of the field's words as shown to the user, e.g. `clockwise` for `cw`.
+/// Label of one of the field's words as shown to the user, e.g. `clockwise` for `cw`; the word itself if it has no
+/// label.
 std::string_view wordLabel(const Field& field, std::string_view word);
 
 /// The automatic value from `field.automatic`; null if the field has no automatic value, or if the value is known only
 /// during a run.
 FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object);
 
-/// Unit of the field in `object`.
+/// Unit of the field in `object`. If `field.unit` has two alternatives, this is the one that applies to `object`.
 /// \param owner the object whose list or member contains `object`; null if it is not known.
 std::string_view unitIn(const Field& field, const void* object, const void* owner);
 
-/// Unit of a column of a Pairs field in `object`.
+/// Unit of a column of a Pairs field in `object`: `column.second` if the second unit of the field applies to `object`,
+/// otherwise `column.unit`.
 /// \param owner the object whose list or member contains `object`; null if it is not known.
 std::string_view unitIn(const Field& field, const PairColumn& column, const void* object, const void* owner);
 
-/// Value of the field if its key is missing.
+/// Value of the field if its key is missing in the file; null for Object, List and Map.
 FieldValue defaultOf(const Structure& structure, const Field& field);
 
 /// True if the other fields of `object` meet the condition `field.only`, or if the field has no condition.
@@ -187,7 +189,7 @@ bool sameValue(const Field& field, const void* a, const void* b);
 /// Text of the condition `field.only`, e.g. `where 'kind' is 'dynamic'`. \pre `field.only` is not empty.
 std::string condition(const Field& field);
 
-/// Error message for a field whose condition is not met: `'duration' is allowed only where 'kind' is 'dynamic'`.
+/// Error message for a field whose condition is not met, e.g. `'duration' is allowed only where 'kind' is 'dynamic'`.
 std::string misplaced(const Field& field);
 
 /// True if no number in the value is infinite or NaN.

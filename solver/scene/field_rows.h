@@ -46,11 +46,11 @@ struct Says {
     std::string_view nullText{};
 };
 
-/// Range of coordinates [m].
+/// Valid range of coordinates [m].
 inline constexpr Range coordinates{.least = -farthestCoordinate, .most = farthestCoordinate};
 
-/// Ranges for densities and moduli of solids, with a wide margin. Outside them, products of such numbers could overflow
-/// or underflow.
+/// Valid ranges of densities and moduli. They are much wider than those of real solids, but narrow enough that products
+/// of such numbers do not overflow or underflow.
 inline constexpr Range densities{.least = 1e-6, .most = 1e9};  // [kg/m³]
 inline constexpr Range moduli{.least = 1.0, .most = 1e18};  // [Pa]
 
@@ -178,7 +178,7 @@ void set(void* owner, const FieldValue& value) {
         held.clear();
 }
 
-/// Implements `Children` for one member.
+/// Implements the functions of `Children` for one member.
 template <auto member>
 struct Reach {
     using Held = Holder<Inner<member>>;
@@ -352,7 +352,8 @@ FieldValue automaticValue(FieldValue (*function)(const Scene&, const Object&), c
 
 }  // namespace rows
 
-/// Adapts a function of the scene, of the object with the field, or of both, to the signature of `Field::automatic`.
+/// Calls `function` with the arguments that it takes: the scene, the object that contains the field, or both. Has the
+/// signature of `Field::automatic`.
 template <auto function>
 FieldValue automatic(const Scene& scene, const SceneCut*, const void* object) {
     return rows::automaticValue(function, scene, object);
@@ -361,7 +362,7 @@ FieldValue automatic(const Scene& scene, const SceneCut*, const void* object) {
 /// Creates a table row for a key without a member. The key accepts only the values in `accepted`, which have no effect.
 Field fixedRow(std::string_view key, std::string_view help, std::vector<FieldValue> accepted, bool required = false);
 
-/// A default-constructed object from which the table reads the defaults.
+/// A default-constructed T, from which the field table of T reads the default values.
 template <typename T>
 const void* defaultsOf() {
     static const T defaults{};

@@ -36,12 +36,12 @@ int blockAt(const Scene& scene, const Point& place, double tolerance);
 /// Index of the first block that contains `point`, inside or on its boundary; −1 if there is none.
 int blockWithPoint(const Scene& scene, const Point& point);
 
-/// \pre the scene was checked without errors.
+/// \pre the scene has been checked and has no errors.
 const Material& materialOf(const Scene& scene, const Block& block);
 
-/// Index of the block's joint material: the material named by the block or, if it names none, the first one of the
-/// scene; −1 for the built-in material.
-/// \pre the scene was checked without errors.
+/// Index of the block's joint material in `scene.jointMaterials`: that of the material named by the block or, if it
+/// names none, 0. If the scene has no joint materials, −1; the built-in material then applies.
+/// \pre the scene has been checked and has no errors.
 int jointMaterialIndex(const Scene& scene, const Block& block);
 
 /// The joint material for an index from `jointMaterialIndex`; a negative index gives the built-in material.
@@ -50,10 +50,11 @@ const JointMaterial& jointMaterialAt(const Scene& scene, int index);
 /// The bolt type with this name; null if there is none.
 const BoltType* findBoltType(const Scene& scene, std::string_view name);
 
-/// \pre the scene was checked without errors.
+/// \pre the scene has been checked and has no errors.
 const BoltType& boltTypeOf(const Scene& scene, const Bolt& bolt);
 
-/// The bolt's own anchors or, if it has none, the anchors of its type. \pre the scene was checked without errors.
+/// The bolt's own anchors or, if it has none, the anchors of its type.
+/// \pre the scene has been checked and has no errors.
 const std::vector<Anchor>& anchorsOf(const Scene& scene, const Bolt& bolt);
 
 /// Length of the bolt in the plane [m].
@@ -62,8 +63,8 @@ double lengthOf(const Bolt& bolt);
 /// Distance [m] of a position from the far end of a bolt. \param length length of the bolt [m]
 double distanceAlong(const BoltPlace& place, double length);
 
-/// Distance [m] from the far end of a bolt to the position that a monitor records; the head if the monitor gives no
-/// position.
+/// Distance [m] from the far end of a bolt to the position at which a monitor records. A monitor without a position
+/// records at the head.
 /// \param length length of the bolt [m]
 double distanceAlong(const Monitor& monitor, double length);
 
@@ -75,13 +76,16 @@ int traceSource(const Scene& scene, std::string_view name);
 /// True if the face lies on this side of the domain; for `BoundarySide::All`, if it lies on any side.
 bool isOnSide(const CutFace& face, BoundarySide side);
 
-/// JSON pointer to the definition of a bolt: `/bolts/N`, or `/bolt_patterns/N` for a bolt of a pattern.
+/// JSON pointer to the definition of the bolt with the index `bolt`: `/bolts/N`, where N is this index. For a bolt of a
+/// pattern: `/bolt_patterns/N`, where N is the index of the pattern.
 std::string boltPointer(const Scene& scene, std::size_t bolt);
 
-/// JSON pointer to the definition of a block: `/blocks/N`, or `/domain` for a block cut from the domain.
+/// JSON pointer to the definition of the block with the index `block`: `/blocks/N`, where N is this index. For a block
+/// cut from the domain: `/domain`.
 std::string blockPointer(const Scene& scene, std::size_t block);
 
-/// The block's name or, if it has none, b1, b2, … according to its position in the list.
+/// Name of the block with the index `block`. If it has none, `b` followed by its number in the list of blocks, starting
+/// at 1.
 /// \pre 0 ≤ block < number of blocks.
 std::string displayName(const Scene& scene, int block);
 

@@ -11,13 +11,13 @@ namespace keyblock {
 /// The number with four significant digits, for display.
 std::string rounded(double number);
 
-/// A coordinate in metres, rounded to the millimetre, for display.
+/// A coordinate in metres, rounded to the millimetre, for display. The text does not include the unit.
 std::string coordinateText(double metres);
 
-/// A stress or modulus in Pa, kPa, MPa or GPa, followed by the unit, for display.
+/// A stress or modulus with four significant digits, followed by its unit (Pa, kPa, MPa or GPa), for display.
 std::string pressureText(double pascals);
 
-/// The shortest text that is read back as the same double; `inf` or `nan` if the number is not finite.
+/// The shortest text that is read back as the same double; `inf`, `-inf` or `nan` if the number is not finite.
 std::string shortest(double number);
 
 }  // namespace keyblock

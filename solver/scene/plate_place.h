@@ -29,7 +29,7 @@ struct PlatePlace {
     std::vector<Point> outline;  // counter-clockwise, starting with the side against the rock [m]
 };
 
-/// \pre the outlines of all blocks are valid, and the bolt's type exists.
+/// \pre the outlines of all blocks have been checked and have no errors, and the bolt's type exists.
 PlatePlace placePlate(const Scene& scene, const Bolt& bolt);
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@ namespace keyblock {
 /// An error prevents a run, a warning reports a likely mistake, and a note reports input that has no effect.
 enum class Severity { Error, Warning, Note };
 
-/// Kind of edit that fixes a problem without requiring a decision by the user.
+/// Kind of edit that fixes a problem automatically.
 enum class RepairKind {
     None,  // the user has to decide
     Rename,  // gives the object at the pointer an unused name
@@ -50,8 +50,8 @@ struct Problem {
 /// Maximum number of problems in a list. If there are more, the user can fix some of them and check again.
 inline constexpr std::size_t mostProblems = 1000;
 
-/// Appends a problem unless the list is full. Half of the list is reserved for errors; the text of the last entry says
-/// that there are more problems.
+/// Appends a problem unless the list is full. Warnings and notes are appended only while the list is less than half
+/// full. The message of the entry that fills the list is replaced by one saying that there are more problems.
 void addProblem(std::vector<Problem>& problems, Problem problem);
 
 /// True if no more problems can be appended, so that further checks are pointless.

@@ -16,7 +16,8 @@
 
 namespace keyblock {
 
-/// Operation that reduces a column of the history to one number.
+/// Operation that reduces a column of a run's history to one number. `First` takes the value just before the first
+/// event of a given kind.
 enum class Reduction { Max, Min, Last, First };
 
 /// Recorded value: a component of a monitor, or a quantity of a bolt.

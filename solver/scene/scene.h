@@ -215,9 +215,9 @@ struct SceneVoronoi {
 
 enum class Fix { All, X, Y, XY };
 
-/// A support of one of three kinds: `blockAt` fixes a whole block (fix all); `point` fixes one point of a block (fix x,
-/// y or xy); `boundary` fixes the blocks on a side of the domain, either as a whole (fix all) or only at the corners of
-/// their faces on that side.
+/// A support of one of three kinds. `blockAt` fixes a whole block (`fix` is All). `point` fixes one point of a block
+/// (`fix` is X, Y or XY). `boundary` fixes every block that has a face on a side of the domain: the whole block if
+/// `fix` is All, otherwise only the corners of these faces.
 struct Support {
     std::optional<Point> blockAt;  // [m]
     std::optional<Point> point;  // [m]
@@ -264,7 +264,7 @@ struct InitialVelocity {
     bool operator==(const InitialVelocity&) const = default;
 };
 
-/// amplitude · sin(2π·frequency·t + phase)
+/// The value amplitude · sin(2π·frequency·t + phase) at time t [s] of a stage.
 struct Sine {
     double amplitude = 0.0;  // before multiplication by `Acceleration::factor`
     double frequency = 1.0;  // [Hz]
@@ -308,8 +308,8 @@ struct Until {
     bool operator==(const Until&) const = default;
 };
 
-/// Prescribed opening of the faces on a joint or joint set, or of all contacts of a joint material, for example by
-/// swelling or by a wedge that is driven in.
+/// Prescribed opening, for example due to swelling or a wedge that is driven in. It applies to the faces on a joint or
+/// joint set, or to all contacts of a joint material.
 struct Dilation {
     std::string joint;  // name of a joint, joint set or joint material, looked up in this order
     double rate = 0.0;  // [m/s]; in a static stage, the opening over the whole stage [m]
@@ -453,8 +453,8 @@ struct Bolt {
     bool operator==(const Bolt&) const = default;
 };
 
-/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/shape/bolt_pattern.h. The bolts of a pattern named
-/// P are called P.1, P.2, …
+/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/shape/bolt_pattern.h. The bolts of a pattern
+/// named P are called P.1, P.2, …
 struct ScenePattern {
     std::string name;
     std::string type;
@@ -511,8 +511,8 @@ struct RunLimits {
 /// Which strengths are divided by the factor of safety: joint strengths, bolt anchor strengths, or both.
 enum class Reduce { Joints, Bonds, Both };
 
-/// Treatment of bolts while strengths are reduced: they are modelled as in an ordinary run, or replaced by dead loads
-/// equal to their forces at a factor of 1.
+/// Treatment of bolts while strengths are reduced. Mobilised: bolts are modelled as in an ordinary run. Frozen: they
+/// are replaced by dead loads equal to their forces in the run with unreduced strengths.
 enum class BoltForces { Mobilised, Frozen };
 
 /// Settings of the search for a factor of safety; ordinary runs ignore them.
@@ -572,7 +572,7 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Joint material of all block faces in a scene that defines none.
+/// Joint material of all block faces in a scene without joint materials.
 inline const JointMaterial builtInJointMaterial{};
 
 }  // namespace keyblock

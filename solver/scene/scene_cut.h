@@ -18,10 +18,10 @@ namespace keyblock {
 
 /// Result of cutting a scene.
 struct SceneCut {
-    /// The scene with the cut blocks and the bolts of patterns appended to its own blocks and bolts, without domain,
-    /// joints, joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut/cut.h and have no names, so they
-    /// are displayed as `b` followed by their number among all blocks. Tunnels and patterns remain, since blocks and
-    /// bolts refer to them.
+    /// The scene after the cut. The cut blocks are appended to the scene's own blocks, and the bolts of patterns to its
+    /// own bolts. The domain, joints, joint sets and Voronoi cells are removed. Tunnels and patterns remain, since
+    /// blocks and bolts refer to them. Cut blocks are in the order of `Cut::blocks` and have no names, so that
+    /// `displayName` gives `b` followed by their number among all blocks.
     Scene scene;
     int blocks = 0;  // number of blocks from the cut, without those in open tunnels
     int vertices = 0;  // number of distinct vertices of these blocks
@@ -38,16 +38,16 @@ struct SceneCut {
 bool needsCut(const Scene& scene);
 
 /// Cuts the domain and lays out the bolt patterns; a scene that needs neither is returned unchanged. The result does
-/// not depend on the order of joints, joint sets and tunnels, except where their traces coincide: there, the first one
-/// determines the joint material of the face.
+/// not depend on the order of joints, joint sets and tunnels, except where their traces coincide: there, the trace that
+/// comes first in `tracesOf` determines the joint material of the face.
 /// \param stop if this becomes true, the cut ends early and its result must not be used; null: the cut is not stopped
-/// \pre the scene was checked without errors.
+/// \pre the scene has been checked and has no errors.
 SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 /// Name of a kind of note, e.g. `trimmed end`.
 std::string_view wordOf(CutNoteKind kind);
 
-/// Text of the note on one line, without its position.
+/// Text of the note on one line, without its position in the section.
 std::string noteText(const SceneCut& cut, const CutNote& note);
 
 }  // namespace keyblock

@@ -26,22 +26,22 @@ const SceneRegion* findRegion(const Scene& scene, const std::string& name);
 /// Index of the tunnel with this name; −1 if there is none.
 int findTunnel(const Scene& scene, const std::string& name);
 
-/// Index of the joint material of a joint: the material named by the joint; if it names none, that of the domain; if
-/// the domain has none, the first one of the scene. `builtInJoint` if this material does not exist.
+/// Index of a joint's material in `scene.jointMaterials`. A joint that names no material has that of the domain or, if
+/// the domain names none, the first one of the scene. `builtInJoint` if this material does not exist.
 /// \param name the joint material named by the joint, if any
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);
 
 /// Side of the domain on which an edge lies, from the direction of its outward normal. An edge at exactly 45° counts as
 /// bottom or top.
-/// \param from, to ends of the edge, with the domain on the left
+/// \param from, to start and end of the edge, with the domain on its left
 BoundarySide sideOf(const Point& from, const Point& to);
 
 /// True if no stage excavates the tunnel.
 bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel);
 
-/// True if an outline lies entirely in a tunnel that is open from the start, where there is no rock.
-/// \pre the scene has a domain, and the outline `points` does not cross itself.
+/// True if the outline `points` lies entirely inside one tunnel for which `isOpenFromStart` is true.
+/// \pre the scene has a domain, and the outline does not cross itself.
 bool standsInOpening(const Scene& scene, const std::vector<Point>& points);
 
 /// Origin of a trace. `CutTrace::source` is the index of the origin in `SceneTraces::sources`.
@@ -57,7 +57,7 @@ struct SceneTraces {
     std::vector<TraceSource> sources;
 };
 
-/// \pre the scene has a domain and its section was checked without errors.
+/// \pre the scene has a domain, and its section has been checked and has no errors.
 SceneTraces tracesOf(const Scene& scene);
 
 /// Settings for `cutIntoBlocks`, taken from the scene's `cutting`.

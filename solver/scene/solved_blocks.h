@@ -31,7 +31,7 @@ struct SolvedBlocks {
 };
 
 /// The solved blocks of a scene after `cutScene`.
-/// \pre the scene was checked without errors, or has neither cells nor plates modelled as blocks.
+/// \pre the scene has been checked and has no errors, or it has neither cells nor plates modelled as blocks.
 SolvedBlocks solvedBlocks(const Scene& scene);
 
 /// Names of all solved blocks, in the order of `SolvedBlocks::blocks`. \pre as for `solvedBlocks`.

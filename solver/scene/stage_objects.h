@@ -13,11 +13,12 @@
 
 namespace keyblock {
 
-/// Indices of the blocks that the stage excavates: blocks that it names, and blocks in tunnels that it names. Unknown
-/// names are ignored. \pre the scene has been cut.
+/// Indices of the scene's blocks that the stage excavates, in increasing order: the blocks named in `stage.excavate`
+/// and all blocks in tunnels named there. Unknown names are ignored.
+/// \pre the scene has been cut.
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage);
 
-/// Indices of the bolts with this name, or of the pattern with this name, in increasing order.
+/// Indices of the scene's bolts, in increasing order, that have this name or belong to the pattern with this name.
 /// \pre the scene has been cut.
 std::vector<int> boltsNamed(const Scene& scene, const std::string& name);
 

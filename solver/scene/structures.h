@@ -45,7 +45,7 @@ const Structure& structureOf(const StressGradient*);
 const Structure& structureOf(const Support*);
 const Structure& structureOf(const Until*);
 
-/// The field table of the struct T. Tables are compared by address.
+/// The field table of the struct T. Each struct has a single table, so that tables can be compared by address.
 template <typename T>
 const Structure& tableOf() {
     return structureOf(static_cast<const T*>(nullptr));

@@ -8,8 +8,8 @@
 
 namespace keyblock {
 
-/// Returns the text unchanged. Qt's lupdate (target `texts`) finds marked texts by the name of this function; both
-/// arguments must be string literals.
+/// Returns `text` unchanged. Qt's lupdate (build target `texts`) finds texts to be translated by the name of this
+/// function, so both arguments must be string literals.
 constexpr std::string_view translatable(std::string_view /*context*/, std::string_view text) { return text; }
 
 }  // namespace keyblock

@@ -70,7 +70,7 @@ consteval Unit namedUnit(std::string_view symbol) { return findUnit(symbol)->uni
 
 /// Parses products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. An empty string gives a
 /// dimensionless unit. Text after a comma is ignored, because it is a remark in the field table.
-/// \return the unit; none if a symbol is unknown.
+/// \return the unit; null if a symbol is unknown.
 std::optional<Unit> readUnit(std::string_view text);
 
 /// True if both units have the same dimensions, so that one can be converted into the other.
@@ -85,8 +85,8 @@ constexpr double fromSi(double value, const Unit& unit) { return value * unit.do
 /// Factor that converts an SI value to this unit, e.g. 0.001 for kN.
 constexpr double perSi(const Unit& unit) { return unit.down / unit.up; }
 
-/// Quantity and accepted symbols of a unit, for messages, e.g. `a length (m, mm, cm, km, ft, in)`; empty if the
-/// quantity has no name.
+/// Quantity that the unit measures, with examples of its units, for messages, e.g. `a length (m, mm, cm, km, ft, in)`.
+/// Empty if there is no name for this quantity.
 std::string kindText(const Unit& unit);
 
 /// Where a practical unit is displayed instead of the SI unit. Forms show lengths in metres, since sections are entered

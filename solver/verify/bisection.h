@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The value, to within ±½·`width`, at which `holds` changes from 0 to 1.
+/// The argument between `low` and `high` at which `holds` changes from 0 to 1, to within ±½·`width`.
 /// \return NaN if `holds(low)` is not 0, `holds(high)` is not 1, or `holds` returns NaN.
 double boundaryOf(double low, double high, double width, const std::function<double(double)>& holds);
 

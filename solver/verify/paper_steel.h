@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// Stress–strain curves of the steel: (strain, stress [Pa]).
+/// Stress–strain curves of the steel, from the paper's text and from its table: points (strain, stress [Pa]).
 inline const Table textSteel{{0, 0},          {0.0023, 490e6}, {0.021, 500e6}, {0.05, 560e6},
                              {0.09, 605e6},   {0.13, 625e6},   {0.16, 630e6}};
 inline const Table tableSteel{{0, 0},        {0.0024, 509e6}, {0.021, 519e6}, {0.06, 585e6},

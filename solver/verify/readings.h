@@ -26,16 +26,16 @@ Solved solve(Scene scene);
 /// Value of a quantity in SI units. \param quantity the quantity in the notation of a scene's `quantities`.
 double reading(const Solved& solved, const std::string& quantity);
 
-/// Values of one monitor over the history. \param component for point monitors: 0 for ux, 1 for uy.
+/// Values of one monitor, one per history row. \param component for point monitors: 0 for ux, 1 for uy.
 std::vector<double> series(const Solved& solved, const std::string& monitor, int component = 0);
 
-/// Displacement [m] of the monitor `slider` down a slope that dips at `slope` [°] towards +x.
+/// Final displacement [m] of the monitor `slider` down a slope that dips at `slope` [°] towards +x.
 double slidDown(const Solved& solved, double slope);
 
-/// Load–opening curve of a pulled bolt over the history: (opening [m], joint force [N]).
+/// Load–opening curve of a pulled bolt: one point (opening [m], joint force [N]) per history row.
 std::vector<std::pair<double, double>> loadPath(const Solved& solved);
 
-/// Load [N] at an opening [m], interpolated linearly between the points of a load–opening curve.
+/// Load [N] at an opening [m], interpolated linearly between the points of a load–opening curve; see `loadPath`.
 double loadAtOpening(const std::vector<std::pair<double, double>>& path, double opening);
 
 /// A debonding, rupture or plate loss, with the opening and the joint force just before it.
@@ -49,10 +49,11 @@ struct Release {
 /// All debondings, ruptures and plate losses, in chronological order.
 std::vector<Release> releases(const Solved& solved);
 
-/// Number of releases, from the first one on, that occur at the nodes given by `nodes`, in the same order.
+/// Number of releases before the first one that does not match `nodes`. Release i matches if it occurs at the node
+/// `nodes[i]`.
 int agreeing(const std::vector<Release>& found, const std::vector<int>& nodes);
 
-/// Number of events of a kind.
+/// Number of events of this kind in the run.
 int countOf(const Solved& solved, EventKind kind);
 
 }  // namespace keyblock

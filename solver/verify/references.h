@@ -14,15 +14,16 @@
 
 namespace keyblock {
 
-/// A release in the reference solution: the number of the node, counted from the far end, and the opening [m] and joint
-/// force [N] just before the release.
+/// A release in the reference solution: the index of the node, starting with 0 at the far end, and the opening [m] and
+/// joint force [N] just before the release.
 struct ReferenceRelease {
     int node = 0;
     double opening = 0.0;
     double load = 0.0;
 };
 
-/// Releases of the paper's rebar with a brittle bond and E = 200 GPa; the joint is in the middle of an element.
+/// Releases, in chronological order, of the paper's rebar with a brittle bond and E = 200 GPa. The joint is in the
+/// middle of an element.
 inline const std::vector<ReferenceRelease> brittleDebonding{
     {29, 0.64768e-3, 128.734691e3}, {30, 0.70975e-3, 128.734691e3}, {28, 0.78546e-3, 130.974229e3},
     {31, 0.84753e-3, 130.974229e3}, {27, 0.92561e-3, 133.213523e3}, {32, 0.98768e-3, 133.213523e3},
@@ -42,7 +43,8 @@ inline const std::vector<ReferenceRelease> brittleDebonding{
     {5, 3.93940e-3, 163.868920e3}, {4, 3.93940e-3, 161.254310e3}, {3, 3.93940e-3, 158.246230e3},
     {2, 3.93940e-3, 154.393202e3}, {1, 3.93940e-3, 148.511601e3}, {0, 3.93940e-3, 136.071170e3}};
 
-/// Reference values for a debonding rebar.
+/// Reference values for a debonding rebar: joint force and opening at the first release and at the largest joint force,
+/// opening at the last release, and number of releases.
 struct RebarReference {
     const char* title;
     double youngsModulus, peak;  // [Pa], peak bond force per node [N]
@@ -62,8 +64,8 @@ inline constexpr std::array<RebarReference, 6> rebarReferences{{
     {"reading (b)", 215.8e9, 22.32e3, 60, 121049.1, 0.645573e-3, 161424.6, 3.509922e-3, 3.541515e-3, 51},
 }};
 
-/// Nodes in the order in which they are released: alternately on the two sides of the joint, then only on the far side,
-/// up to the far end.
+/// Nodes in the order in which they are released: alternately on the two sides of the joint, then only on the side of
+/// the far end, until the far end itself is released.
 /// \param divisions 59 or 60. \param releases 50 or 51.
 std::vector<int> rebarOrder(int divisions, int releases);
 
@@ -82,9 +84,10 @@ inline constexpr std::array<DBoltReference, 4> dBoltReferences{{
     {"table's steel, no plate", true, false, 159907.0, 4.2211e-3, 183359.0, 199426.0, 194.943e-3, 204518.0},
 }};
 
-/// Reference values for an elastic rebar under 200 kN; `force20` is the axial force in the element that begins at node
-/// 20. The Young's modulus of the rock is 6e13 Pa, because with a stiff bond even small strains of the rock affect the
-/// plate force (at 60 GPa, the three plate forces are 17321, 690.2 and 47.7 N).
+/// Reference values for a rebar with an elastic bond under 200 kN. `stiffness` is the bond stiffness per node,
+/// `largestAnchor` is the largest bond force of a node, and `force20` is the axial force in the element that begins at
+/// node 20. The Young's modulus of the rock is 6e13 Pa, because with a stiff bond even small strains of the rock affect
+/// the plate force (at 60 GPa, the three plate forces are 17321, 690.2 and 47.7 N).
 struct ElasticRebarReference {
     double stiffness, opening, plate, largestAnchor, force20;  // [N/m], [m], [N]
 };
@@ -95,8 +98,8 @@ inline constexpr std::array<ElasticRebarReference, 3> elasticRebarReferences{{
     {300e6, 0.626213e-3, 2.4980, 63914.11, 6252.85},
 }};
 
-/// Reference values for shear lag under 200 kN without a plate, with `perSide` springs on each side of the joint,
-/// each in the middle of its tributary length: slip at the joint, and axial forces at 0.25 m and 0.5 m from it.
+/// Reference values for shear lag under 200 kN without a plate: slip at the joint, and axial forces at 0.25 m and 0.5 m
+/// from the joint. There are `perSide` springs on each side of the joint, each in the middle of its tributary length.
 struct ShearLagReference {
     int perSide;
     double slip, quarter, half;  // [m], [N]
@@ -108,8 +111,8 @@ inline constexpr std::array<ShearLagReference, 3> shearLagReferences{{
     {80, 1.639847e-3, 117125.6, 64512.0},
 }};
 
-/// Reference values for a load of 2 kN and the bond of `ShearLagReference`, with the bond stiffness given per length:
-/// joint opening without and with a rigid plate, and the plate force.
+/// Reference values for a load of 2 kN: joint opening without and with a rigid plate, and the plate force. The bond is
+/// that of `ShearLagReference`, but its stiffness is given per length.
 struct PlateLagReference {
     int divisions;
     double openingWithout, openingWith, plate;  // [m], [m], [N]
@@ -120,9 +123,9 @@ inline constexpr std::array<PlateLagReference, 2> plateLagReferences{{
     {81, 32.80482760e-6, 31.67195364e-6, 525.772895},
 }};
 
-/// Reference values for small displacements of a voussoir beam of 10 m span and 0.5 m depth with E = 10 GPa, ν = 0.25
-/// and a unit weight of 25 kN/m³, computed with 64 rows of bilinear finite elements. The thrust differs by less than
-/// 0.1 % from the thrust computed with 32 rows.
+/// Thrust and lever arm, for small displacements, of a voussoir beam of 10 m span and 0.5 m depth with E = 10 GPa,
+/// ν = 0.25 and a unit weight of 25 kN/m³. They were computed with 64 rows of bilinear finite elements. The thrust
+/// differs by less than 0.1 % from the thrust computed with 32 rows.
 struct VoussoirReference {
     double thrust, arm;  // [N], [m]
 };

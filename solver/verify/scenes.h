@@ -26,13 +26,15 @@ Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngl
 /// Rectangular block with the given lower left and upper right corners [m].
 Block boxBlock(const std::string& name, const Point& low, const Point& high);
 
-/// A block of 1 m × 0.5 m on a fixed slope that dips at `slope` [°] towards +x. The monitor `slider` records the
-/// displacement of the block, which is released at t = 0 in a dynamic stage with time steps of 1 ms.
+/// A block of 1 m × 0.5 m on a fixed slope that dips at `slope` [°] towards +x. The block is released at t = 0 in a
+/// dynamic stage with time steps of 1 ms. The monitor `slider` records its displacement.
+/// \param frictionAngle friction angle of the joint material [°].
 /// \param duration duration of the stage [s].
 Scene inclineScene(double slope, double frictionAngle, double duration);
 
 /// Two blocks that touch at x = `joint` [m], together `length` [m] long and 1 m high. The left block is fixed; the
-/// joint is frictionless. The scene has the monitor `opening`.
+/// joint is frictionless. The monitor `opening` records the opening of the joint.
+/// \param youngsModulus Young's modulus of the rock [Pa].
 Scene twoBlocks(double youngsModulus, double joint, double length);
 
 /// A stage that moves the right block of `twoBlocks` along x without rotation, in equal increments.
@@ -52,7 +54,7 @@ void addBolt(Scene& scene, const BoltType& type, double from, double to, int div
 /// \param area steel area [m²]. \param youngsModulus Young's modulus of the steel [Pa].
 BoltType linearType(double area, double youngsModulus);
 
-/// Bolt type like `linearType`, but with a stress–strain curve.
+/// Bolt type like `linearType`, but with a stress–strain curve of the steel. \param area steel area [m²].
 /// \param steel points (strain, stress [Pa]) of the curve, starting at the origin.
 BoltType steelType(double area, const Table& steel);
 
@@ -60,23 +62,26 @@ BoltType steelType(double area, const Table& steel);
 /// \param per whether stiffness, strength and residual strength are given per node or per length.
 Anchor anchorRange(Per per, AnchorLaw law, double stiffness, std::optional<double> strength, double residual);
 
-/// An anchor at the node whose distance from the far end is closest to `s` [m].
+/// An anchor at the node whose distance from the far end is closest to `s` [m]. \param stiffness bond stiffness [N/m].
 Anchor anchorAt(double s, AnchorLaw law, double stiffness);
 
 /// Cross-sectional area of a round bar of 20 mm diameter [m²].
 double barArea();
 
-/// The paper's rebar, which crosses the joint between two blocks. The right block is pulled by `displacement` [m].
+/// The rebar of the unified bolt paper, across the joint between two blocks. The right block is pulled by
+/// `displacement` [m] in equal increments.
 /// \param youngsModulus Young's modulus of the bar [Pa]. \param peak peak bond force per node [N].
 /// \param divisions 59: the joint is within an element; 60: it is at a node.
 /// \param rockModulus Young's modulus of the rock [Pa].
 Scene paperRebar(double youngsModulus, double peak, int divisions, double rockModulus, double displacement,
                  int increments);
 
-/// The paper's D-bolt, with a face plate of stiffness 1e9 N/m or without one.
+/// The D-bolt of the same paper. The right block is pulled as in `paperRebar`.
+/// \param steel stress–strain curve, as in `steelType`.
+/// \param plate whether there is a face plate, with a stiffness of 1e9 N/m.
 Scene paperDBolt(const Table& steel, PlateKind plate, double rockModulus, double displacement, int increments);
 
-/// The paper's rebar with an elastic bond and a face plate of stiffness 1e9 N/m, under a load of 200 kN.
+/// The rebar of the same paper with an elastic bond and a face plate of stiffness 1e9 N/m, under a load of 200 kN.
 /// \param springStiffness bond stiffness per node [N/m].
 Scene elasticRebar(double springStiffness, double rockModulus);
 

@@ -25,7 +25,7 @@ struct CaseResult {
     double seconds = 0.0;  // time taken by the measurement [s]
 };
 
-/// A case of the suite; `run` solves it and returns when all its results are available.
+/// A case of the suite. `run` solves the case and returns its results.
 struct Case {
     std::string name;
     std::string description;
@@ -51,7 +51,7 @@ struct PaperTable {
     std::vector<PaperRow> rows;
 };
 
-/// The tables of the paper, with newly computed values of the program; returns when all cases are solved.
+/// The tables of the paper. Each call solves all their cases to compute the program's values.
 std::vector<PaperTable> paperTables();
 
 }  // namespace keyblock

@@ -20,7 +20,7 @@ namespace keyblock {
 
 struct Theme;
 
-/// The window's font in the given size [px].
+/// The window's font at the given size [px].
 QFont screenFont(int pixels, bool bold = false);
 
 /// Paints a panel with a thin border and rounded corners.
@@ -37,8 +37,8 @@ struct CallOut {
 QSizeF sizeOf(const CallOut& callOut);
 void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut, const QRectF& rect);
 
-/// Paints text with an outline in the casing colour, so that it is readable over lines. \param at position on the
-/// baseline [px].
+/// Paints text with an outline in the theme's colour `markCasing`, so that it is readable over lines.
+/// \param at left end of the baseline [px].
 void paintCased(QPainter& painter, const Theme& theme, const QPointF& at, const QString& text, const QColor& colour);
 
 }  // namespace keyblock

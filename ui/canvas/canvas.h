@@ -36,8 +36,8 @@ public:
     explicit Canvas(const Themes& themes, QWidget* parent = nullptr);
     ~Canvas() override;
 
-    /// Shows a picture; null: an empty canvas with a hint in the middle. The view is fitted to the first picture. While
-    /// it remains fitted, it is adjusted when a legend appears and when parts of the picture move out of it.
+    /// Shows a picture; null: an empty canvas with the hint. The view is fitted to the first picture. Until the user
+    /// pans or zooms, it is adjusted when a legend appears and when parts of the picture move out of view.
     void show(std::shared_ptr<const SectionPicture> picture);
     using QWidget::show;
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
@@ -51,12 +51,12 @@ public:
     /// Sets the style. True: plain rock with lighter joints, for drawing. False: coloured results.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // indices of bolts in the scene
-    /// Shows or hides the legend. It is hidden if the legend of a neighbouring canvas applies to both.
+    /// Shows or hides the legend. Hide it if the legend of a neighbouring canvas applies to both.
     void setLegend(bool legend);
     /// Outlines a block and shows its call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
-    /// Sets the hint of an empty canvas.
-    /// \param aside true: show the hint at the bottom instead of in the middle, because a drawing is visible behind it.
+    /// Sets the hint that is shown on an empty canvas.
+    /// \param aside true: at the bottom, so that it does not cover a drawing; false: in the middle.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
     /// Sets the area that `fit` shows while there is no picture.
@@ -89,9 +89,9 @@ public:
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);
     void viewChanged();
-    /// Emitted when Space was pressed and released without dragging.
+    /// Emitted when Space is pressed and released without dragging.
     void spaceTapped();
-    /// Emitted when the colour bar of a quantity in the legend was clicked. \param global a point to the left of the
+    /// Emitted when the colour bar of a quantity in the legend is clicked. \param global a point to the left of the
     /// legend, in screen coordinates.
     void legendClicked(keyblock::LegendPart part, const QPoint& global);
 

@@ -15,7 +15,8 @@ namespace keyblock {
 /// The OpenGL version and profile that VTK needs for the section.
 QSurfaceFormat sectionFormat();
 
-/// What the display lacks, in one sentence; null if OpenGL 3.2 works. Checked once per process.
+/// Error message that says why the display cannot show the section; null if OpenGL 3.2 works. The display is checked
+/// once per process.
 const std::optional<QString>& missingOpenGl();
 
 }  // namespace keyblock

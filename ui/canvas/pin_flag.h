@@ -13,7 +13,7 @@ namespace keyblock {
 
 struct Theme;
 
-/// Rectangle of the flag with its pole [px].
+/// Rectangle around the flag and its pole [px]. \param foot lower end of the pole [px].
 QRectF pinFlagRect(const QPointF& foot, int number);
 void paintPinFlag(QPainter& painter, const Theme& theme, const QPointF& foot, int number);
 

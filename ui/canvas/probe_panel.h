@@ -14,7 +14,8 @@ namespace keyblock {
 struct ProbeReading;
 struct Theme;
 
-/// Paints the panel next to `mouse`, inside a canvas of the given size [px].
+/// Paints the panel next to the mouse pointer, inside the canvas.
+/// \param mouse position of the pointer [px]. \param size size of the canvas [px].
 void paintProbePanel(QPainter& painter, const Theme& theme, const ProbeReading& reading, const QPointF& mouse,
                      const QSizeF& size);
 

@@ -26,8 +26,8 @@ struct Theme;
 
 class SectionPainter {
 public:
-    /// All arguments passed by reference must outlive this object. \param selected indices of the selected bolts in the
-    /// scene.
+    /// All arguments passed by reference must outlive this object.
+    /// \param selected indices of the selected bolts in the scene.
     /// \param covered parts of the canvas that are hidden by widgets [px].
     SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
                    const std::vector<int>& selected, const std::optional<HighlightedBlock>& highlighted,

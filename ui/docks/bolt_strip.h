@@ -49,7 +49,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// History of the bolt so far; only one thread extends it.
+    /// History of the bolt so far. Only one thread may extend it.
     struct Past;
     struct Shown {
         BoltChart chart;

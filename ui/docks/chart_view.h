@@ -20,7 +20,8 @@ struct Theme;
 
 ChartTheme chartThemeOf(const Theme& theme);
 
-/// The current time on a chart, marked by a point on the first curve of each panel that has a value at this time.
+/// Where the current time is marked on a chart: at `x` on the horizontal axis, and by a point on the first curve of
+/// each panel. A panel without a value at this time has no point.
 struct ChartNow {
     double x = 0.0;
     std::vector<std::optional<double>> y;  // one per panel
@@ -45,7 +46,8 @@ public:
     void prepare();
     /// True if the chart has enough room and has been drawn, so that its pixel positions are known.
     bool isDrawn() const { return chart_ && !drawn_.isNull(); }
-    /// Pixel position of a value on the horizontal axis, and of a value in a panel. \pre `isDrawn()`
+    /// Position [px] of a value on the horizontal axis, and of a value on the vertical axis of a panel.
+    /// \pre `isDrawn()`
     double xOf(double value) const;
     double yOf(std::size_t panel, double value) const;
 

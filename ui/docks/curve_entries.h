@@ -19,7 +19,7 @@ namespace keyblock {
 
 enum class CurveKind { All, Energies };
 
-/// A chart with one panel, and all values of its first curve before it is thinned out for drawing.
+/// A chart with one panel, and all values of its first curve. A `ChartView` may draw fewer points of the curve.
 struct CurveEntry {
     QString name;
     Chart chart;
@@ -40,7 +40,7 @@ struct CurveOrder {
     std::string y, x;  // names of the quantities, as in `allSeries`; empty y: no such curve is read
 };
 
-/// The curves that were read for an order.
+/// The curves read for a `CurveOrder`.
 struct CurveReading {
     CurveEntries own, other;  // entries of the run, including its pins, and of the second run
     CurveEntries free, otherFree;  // curves of the chosen quantities
@@ -48,8 +48,8 @@ struct CurveReading {
     RunTime time;
 };
 
-/// Reads the curves. The time needed grows with the number of history rows. Does not throw: errors are reported in
-/// `problem` of the entries.
+/// Reads the curves of an order. The time needed grows with the number of history rows. Does not throw: errors are
+/// reported in `CurveEntries::problem`.
 CurveReading readCurves(const CurveOrder& order);
 
 /// The charts of the run itself, without pins.
@@ -62,7 +62,7 @@ CurveEntries curveOver(const RunSource& run, const std::string& y, const std::st
 /// pins.
 QString pinEntryName(const Pin& pin);
 
-/// Charts of the pins, grouped by quantity.
+/// Charts of the pins, grouped by quantity. A chart shows at most four pins.
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
 /// Adds the curves of `other`, a chart of the same quantity from another run, as dashed lines. `name` identifies the

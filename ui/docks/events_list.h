@@ -31,10 +31,10 @@ public:
 
     EventsModel(const Themes& themes, const Display& display, TimeCursor& cursor, QObject* parent = nullptr);
 
-    /// Index, among the events of the run, of the event shown in this row.
+    /// The event shown in this row, as an index into the events of the run.
     std::size_t eventAt(int row) const { return rows_[row]; }
 
-    /// The last row that shows one of the first `events` events of the run; −1: none of these events is shown.
+    /// Index of the last row that shows one of the first `events` events of the run; −1: no row shows any of them.
     int lastRowUntil(long events) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -36,8 +36,9 @@ struct HealthRow {
 
 using HealthRows = std::array<HealthRow, healthMeasures>;
 
-/// The diagnostic measures at a time within a stage. For a run opened from a file, the measures refer to whole stages
-/// instead.
+/// The diagnostic measures at a time within a stage, indexed by `HealthMeasure`. For a run opened from a file, the
+/// measures refer to the whole stage instead.
+/// \param time time since the start of the stage [s], or pseudo-time.
 HealthRows healthAt(const LiveRun& run, int stage, double time);
 
 class HealthStrip : public QWidget {

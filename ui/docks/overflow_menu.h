@@ -9,8 +9,8 @@ class QWidget;
 
 namespace keyblock {
 
-/// Adds an entry for the control: a submenu of choices for a combo box, one entry for a button. Other widgets are
-/// ignored. The menu must not outlive the control.
+/// Adds a control to the menu: a combo box as a submenu of its choices, a tool button as a single entry. Other widgets
+/// are ignored. The menu must not outlive the control.
 void addToMenu(QMenu& menu, QWidget& control);
 
 }  // namespace keyblock

@@ -37,7 +37,7 @@ public:
     const std::shared_ptr<const ResultReport>& report() const { return report_; }
 
 Q_SIGNALS:
-    /// Emitted when a different bolt or block is shown, or none. Both texts are empty if none is shown.
+    /// Emitted when a different bolt or block is shown, or none. Both strings are empty if none is shown.
     void subjectChanged(const QString& title, const QString& detail);
 
 private:

@@ -35,13 +35,13 @@ struct ResultReport {
     std::vector<ResultEvent> events;
 };
 
-/// The results of a bolt. \param events events of the run up to the frame. \pre `bolt` is a valid index into the bolts
-/// of the frame.
+/// The results of a bolt in the frame. \param events events of the run up to the frame.
+/// \pre `bolt` is a valid index into the bolts of the frame.
 ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, const std::vector<Event>& events,
                          const ShownNumbers& numbers);
 
-/// The results of a block. \param events events of the run up to the frame. \pre `block` is a valid index into the
-/// blocks of the frame.
+/// The results of a block in the frame. \param events events of the run up to the frame.
+/// \pre `block` is a valid index into the blocks of the frame.
 ResultReport blockResults(const RunSource& run, const Frame& frame, int block, const std::vector<Event>& events,
                           const ShownNumbers& numbers);
 

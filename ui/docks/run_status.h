@@ -21,7 +21,7 @@ class RunStatus : public QWidget {
     Q_OBJECT
 
 public:
-    /// \pre the run commands have been added.
+    /// \pre the run commands have been added to `commands`.
     RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidget* parent = nullptr);
 
 private:

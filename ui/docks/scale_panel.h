@@ -25,7 +25,7 @@ class ScalePanel : public QFrame {
 
 public:
     /// The panel deletes itself when it closes.
-    /// \param bar the colour bar as shown
+    /// \param bar the colour bar as shown in the legend
     /// \param clips whether extreme values can be excluded
     ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool clips, ViewSettings& settings, QWidget* parent);
 

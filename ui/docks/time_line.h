@@ -28,7 +28,7 @@ class TimeLine : public QWidget {
     Q_OBJECT
 
 public:
-    /// \pre the commands for runs and for the time shown have been added.
+    /// \pre the commands for runs and for the time shown have been added to `commands`.
     TimeLine(const Themes& themes, const Display& display, Commands& commands, TimeCursor& cursor,
              const BoltChoice& choice, QWidget* parent = nullptr);
 

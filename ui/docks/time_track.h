@@ -18,7 +18,7 @@ namespace keyblock {
 class Themes;
 class TimeCursor;
 
-/// An event whose mark is placed on the timeline, with the number of events that the mark represents.
+/// A mark on the timeline: the event that it shows, and the number of events that it represents.
 struct PlacedEvent {
     EventGroup group = EventGroup::Slip;
     double x = 0.0;  // [px]
@@ -26,9 +26,9 @@ struct PlacedEvent {
     int count = 1;  // events represented by this mark, including those without room for their own
 };
 
-/// Places the marks of the most severe events first, and omits marks that are less than `least` [px] from a mark
-/// already placed.
-/// \param places position of each event [px]; NaN: the event is not shown
+/// Places the marks of events, the most severe events first. A mark that would be less than `least` [px] from a mark
+/// already placed is omitted. The result is in increasing order of position.
+/// \param places positions on the timeline [px], one per event; NaN: the event is not shown
 std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
                                       double least);
 

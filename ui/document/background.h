@@ -28,11 +28,11 @@ public:
     /// Delivers the result of a job; runs in the thread of this object. May be empty.
     using Result = std::function<void()>;
 
-    /// Runs the job on the background thread, in place of all waiting jobs, and then its `Result` in the thread of this
+    /// Discards all waiting jobs. Then runs the job on the background thread, and its `Result` in the thread of this
     /// object. A job reports errors through its result.
     void ask(std::function<Result()> job);
 
-    /// Like `ask`, but keeps the waiting jobs and runs the new job after them.
+    /// Like `ask`, but does not discard the waiting jobs; the new job runs after them.
     void add(std::function<Result()> job);
 
     /// To be called by a job: true if a newer request replaces this job, or its result is no longer wanted.

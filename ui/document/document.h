@@ -50,7 +50,7 @@ public:
     /// The scene shown now, which may be a preview; never null.
     const std::shared_ptr<const Scene>& scene() const;
 
-    /// Adds an undo step called `step`, and ends a preview. An edit that changes nothing adds no step.
+    /// Adds an undo step called `step`, and ends any preview. An edit that changes nothing adds no step.
     /// \param pointers maps pointers that were valid before the step to the corresponding pointers after it
     void apply(const QString& step, Scene after, PointerChange pointers = {});
 
@@ -63,7 +63,7 @@ public:
     void endPreview();
     bool isPreviewing() const { return preview_ != nullptr; }
 
-    /// The scene of the document, without a preview; never null.
+    /// The scene of the document, even while a preview is shown; never null.
     const std::shared_ptr<const Scene>& committed() const { return scene_; }
 
     QUndoStack& undo() { return *undo_; }
@@ -83,7 +83,7 @@ public:
     /// Replaces the document with a restored one, including its undo steps. Only the current scene is read at once; the
     /// others are read when undo or redo reaches them.
     /// \param index index of the current step
-    /// \param saved index of the step that is in the file
+    /// \param saved index of the step that is in the file; null: none
     /// \pre `steps` is not empty, both indices are valid, and every scene can be read.
     void restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                  const QString& path, const QString& name);

@@ -39,7 +39,7 @@ public:
 
     /// Continues a journal that was not closed.
     /// \param lines lines of that journal
-    /// \param states scenes of its steps
+    /// \param states scenes of its steps, by index on the undo stack
     /// \param restore restores the undo steps of the journal in the document
     void goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
               const std::function<void()>& restore);

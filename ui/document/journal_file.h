@@ -41,8 +41,8 @@ public:
     void begin(const std::string& path, const std::string& name, ScenePtr first, bool isSaved);
     /// Starts with a copy of the lines of another journal, in order to continue it.
     void begin(std::string lines);
-    /// Writes an undo step. \param before the previous scene; null: it is in the journal already, from an earlier
-    /// session
+    /// Writes an undo step. \param before the previous scene; null: unknown, so that the whole scene `after` is written
+    /// instead of its differences
     void step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after);
     void move(std::size_t index);
     void saved(std::optional<std::size_t> index, const std::string& path);

@@ -39,12 +39,14 @@ struct Journalled {
 };
 
 std::string journalBegin(const std::string& path, const std::string& name, const std::string& sceneText, bool isSaved);
-/// Line for an edit: the scene at `index` becomes `after`, and later scenes are dropped.
+/// Line for an edit: the scenes from `index` on are dropped from the undo stack, and a scene with the text `after` is
+/// added at `index`. The line stores the differences from `before`, the text of the scene at `index` − 1.
 std::string journalStep(std::size_t index, const std::string& name, std::string_view before, std::string_view after);
-/// Like `journalStep`, for a reader that does not know the text of the previous scene.
+/// Like `journalStep`, but the line stores the whole text, so that the text of the previous scene is not needed.
 std::string journalWholeStep(std::size_t index, const std::string& name, const std::string& after);
 std::string journalMove(std::size_t index);
-/// Line for a save of the scene at `index`; null: the saved scene is not on the undo stack.
+/// Line for a save of the scene at `index` on the undo stack. \param index null: the saved scene is not on the undo
+/// stack.
 std::string journalSaved(std::optional<std::size_t> index, const std::string& path);
 
 /// Reads a journal up to the first damaged line. \param mostChanges maximum number of changes to read; null: all

@@ -10,8 +10,8 @@
 namespace keyblock {
 
 /// The drawing of a scene, regardless of its stages; empty if it has no blocks.
-/// \param solved result of `cutScene`
-/// \pre the scene was checked and has no errors.
+/// \param solved the scene after `cutScene`
+/// \pre the scene has been checked and has no errors.
 SectionPicture drawingPicture(const Scene& solved);
 
 }  // namespace keyblock

@@ -27,18 +27,18 @@ struct Abandoned {
     QString damage;  // error message; empty: no damage
 };
 
-/// Documents that can be recovered, latest first. Journals of open windows are skipped; journals with nothing to
-/// recover are deleted. Journals that cannot be read or used are listed in `unusable`; damaged ones are renamed to
-/// `….damaged`.
+/// Documents that can be recovered, latest first. Journals of open windows are skipped, and journals with nothing to
+/// recover are deleted. Journals that cannot be read or used are listed in `unusable`. Those that are too damaged to be
+/// used are also renamed to `….damaged`.
 std::vector<Abandoned> abandonedJournals(const QString& folder = journalFolder(), QStringList* unusable = nullptr);
 
 enum class Recover { Everything, WithoutLastCommand };
 
-/// Restores a document with its undo steps. The old journal is removed once `journal` has stored all of it. Returns the
-/// reason why the document cannot be recovered; empty if it was recovered.
+/// Restores a document with its undo steps. The old journal is removed once `journal` has stored all of its contents.
+/// \return the reason why the document cannot be recovered; empty if it was recovered.
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal);
 
-/// Discards the edits recorded in this journal.
+/// Deletes this journal with the edits recorded in it.
 void giveUp(const Abandoned& abandoned);
 
 }  // namespace keyblock
