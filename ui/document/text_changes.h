@@ -18,11 +18,11 @@ struct TextChange {
     std::string text;
 };
 
-/// The changes that turn `before` into `after`, in order and not overlapping; UTF-8 characters are never split. The
-/// changes are not always the fewest possible, but they are found in time proportional to the length of the texts.
+/// The changes that turn `before` into `after`, sorted by position and without overlaps. UTF-8 characters are never
+/// split. There may be more changes than necessary, but the time needed is proportional to the length of the texts.
 std::vector<TextChange> textChanges(std::string_view before, std::string_view after);
 
-/// True if the changes are in order and lie within a text of `length` bytes.
+/// True if the changes are sorted by position, do not overlap and lie within a text of `length` bytes.
 bool areWithin(const std::vector<TextChange>& changes, std::size_t length);
 
 /// Applies the changes to `before`. \pre `areWithin(changes, before.size())`

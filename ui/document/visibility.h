@@ -26,8 +26,8 @@ class Visibility : public QObject {
 public:
     explicit Visibility(const Document& document, QObject* parent = nullptr);
 
-    /// `pointer` refers to an object (`/joints/3`) or a whole list (`/joints`). All entries of a hidden list are
-    /// hidden.
+    /// True if the object at `pointer` (`/joints/3`) or the list that contains it is hidden. This and the next three
+    /// functions also accept a pointer to a whole list (`/joints`).
     bool isHidden(const QString& pointer) const { return has(hidden_, pointer); }
     bool isLocked(const QString& pointer) const { return has(locked_, pointer); }
     void setHidden(const QString& pointer, bool hidden);

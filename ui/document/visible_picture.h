@@ -13,8 +13,8 @@ namespace keyblock {
 
 class Visibility;
 
-/// The drawing from `checked` without the hidden objects. If nothing is hidden, the same drawing is returned; null if
-/// there is no drawing.
+/// The drawing from `checked` without the hidden objects; null if there is no drawing. If nothing is hidden, this is
+/// `checked.picture` itself, not a copy.
 std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
 
 }  // namespace keyblock

@@ -14,23 +14,24 @@
 
 namespace keyblock {
 
-/// For each node, true if an entry of the anchor table makes it a bonded node.
+/// One flag per node, in the order of `nodes`: true if an entry of the anchor table makes the node a bonded node.
 /// \param nodes distances of the nodes from the far end [m], in increasing order.
 std::vector<bool> realNodes(const std::vector<Anchor>& anchors, const std::vector<double>& nodes);
 
-/// The anchor table after the nodes `first` to `last` have been made bonded (if `real` is true) or intermediate (if it
-/// is false). New bonded nodes get the anchor law of the nearest bonded node or, if there is none, the law of
-/// `pattern`. A bonded range extends half an element beyond its outermost nodes.
+/// The anchor table after the nodes with the indices `first` to `last` have been made bonded (if `real` is true) or
+/// intermediate (if it is false). New bonded nodes get the properties of the table entry that is nearest to node
+/// `first`, or those of `pattern` if the table is empty. A bonded range extends half an element beyond its outermost
+/// nodes.
 /// \pre `nodes` has at least two entries, and first ≤ last < nodes.size().
 std::vector<Anchor> withNodes(std::vector<Anchor> anchors, const std::vector<double>& nodes, std::size_t first,
                               std::size_t last, bool real, const Anchor& pattern);
 
-/// Distances [m] of the nodes of a bolt from its far end. The bolt has the given number of equal divisions, or 60 if
-/// the number is automatic.
+/// Distances [m] of the nodes of a bolt from its far end, in increasing order. The bolt is divided into `divisions`
+/// elements of equal length, or into 60 if `divisions` is null.
 std::vector<double> evenNodes(double length, std::optional<int> divisions);
 
-/// The bolt type with this name from the scene or, if the scene has none, from the built-in types; null if there is
-/// none.
+/// The bolt type with this name: that of the scene if there is one, otherwise the built-in type. Null if neither
+/// exists.
 const BoltType* boltTypeNamed(const Scene& scene, const std::string& name);
 
 /// A node of a bolt that is not in the scene yet.
@@ -39,7 +40,8 @@ struct NodeAhead {
     bool real = false;  // bonded
 };
 
-/// The nodes that a bolt of this type and length [m] will have; empty if the type is unknown.
+/// The nodes that a bolt of this type, length [m] and number of divisions will have, in order from the far end to the
+/// head. Empty if the type is unknown.
 std::vector<NodeAhead> nodesAhead(const Scene& scene, const std::string& type, double length,
                                   std::optional<int> divisions);
 

@@ -26,15 +26,17 @@ void makeDefaults(const Scene& scene, const Structure& structure, void* made);
 std::string outlineProblem(const std::vector<Point>& points);
 
 /// Sets the outline of the rock. If the scene has no supports, adds the default ones with `supportSides`. Refused if
-/// the outline has no area or crosses itself.
+/// the outline is not valid (see `outlineProblem`).
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
-/// Fixes the base of the outline, and adds roller supports at the sides, which can then move only vertically.
+/// Adds a fixed support at the base of the outline and roller supports at its sides, so that the sides can move only
+/// vertically.
 /// \pre the scene has an outline and no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt after the excavation of the tunnel in which its head lies (inside the tunnel or on its wall). Does
-/// nothing if there is no such tunnel, or if no stage excavates it.
+/// Installs a bolt in a stage after the excavation of its tunnel, as described for `withPattern`. Its tunnel is the one
+/// in which the head of the bolt lies (inside or on the wall). Does nothing if there is no such tunnel, or if no stage
+/// excavates it.
 void installOnWall(Edit& edit, const Bolt& bolt);
 
 /// Adds a tunnel. It is excavated in the last stage that already excavates something or, if there is none, in the first
@@ -43,8 +45,8 @@ Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 
 /// Adds a bolt pattern or a bolt. If a stage excavates the tunnel to which it belongs, the new bolts are installed in
 /// the first later stage that installs bolts. If there is no such stage, a new stage is inserted after the excavation.
-/// By default, half of the wall relaxation is then moved to the new stage, because bolts installed after all movement
-/// carry no load.
+/// Half of the wall relaxation is then moved to the new stage, because bolts installed after all movement carry no
+/// load. The relaxation is not changed if the excavation stage is dynamic or already specifies it.
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 

@@ -15,7 +15,7 @@ Edit withJoint(const Scene& scene, const SceneJoint& joint);
 Edit withJointSet(const Scene& scene, const SceneJointSet& set);
 Edit withMonitor(const Scene& scene, const Monitor& monitor);
 
-/// Adds a support. If it is on a side of the domain, it replaces an existing support of that side.
+/// Adds a support. A support on a side of the domain replaces an existing support on that side.
 Edit withSupport(const Scene& scene, const Support& support);
 
 /// Adds a load or a prescribed motion to the stage with this index.

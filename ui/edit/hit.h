@@ -12,9 +12,9 @@
 
 namespace keyblock {
 
-/// Indices of the objects within `radius` [m] of a point, the most likely target first. If several are about equally
-/// near, small objects come before large ones; interiors of openings and blocks come last. A domain or a region is hit
-/// only on its outline, and joints are not hit inside openings.
+/// Indices of the objects at a point, the most likely target first. Objects with a line or mark within `radius` [m]
+/// come first; if several are about equally near, small objects come before large ones. Tunnels and blocks that merely
+/// contain the point come last. A domain or a region is hit only on its outline. Joints are not hit inside openings.
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius);
 
 enum class BoxRule {
@@ -22,7 +22,7 @@ enum class BoxRule {
     Crosses  // the box must contain a part of the object
 };
 
-/// Indices of the objects selected by a box, in ascending order.
+/// Indices of the objects that the box selects according to `rule`, in ascending order.
 std::vector<std::size_t> objectsIn(std::span<const SceneObject> objects, const Box& box, BoxRule rule);
 
 }  // namespace keyblock

@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// `stem` followed by an unused number, one above the largest number that follows this stem in `taken`: J13 if the last
-/// is J12.
+/// A name that is not in `taken`: `stem` followed by a number. The number is 1 greater than the largest one that
+/// follows this stem in `taken`, e.g. `J13` if `taken` contains `J12`, or 1 if no name has this form.
 std::string freeName(std::string_view stem, const std::vector<std::string>& taken);
 
 /// An unused name for a new entry of the list or map at a JSON pointer, in the usual form for its kind: `J13`, `B2`,
@@ -25,8 +25,8 @@ std::string newName(const Scene& scene, std::string_view list);
 /// e.g. `J13` for `J12` or `roof 2` for `roof`.
 std::string nameOfCopy(const Scene& scene, std::string_view list, std::string_view name);
 
-/// Title of the object at a JSON pointer, as shown to the user: `joint J12`, `domain`, `load 2 of stage load`, `bottom
-/// support`.
+/// Title of the object at a JSON pointer, as shown to the user: `joint J12`, `domain`, `load 2 of stage excavate`,
+/// `bottom support`.
 std::string titleAt(const Scene& scene, std::string_view pointer);
 
 /// Name of the object at a JSON pointer; empty if it has none.

@@ -35,8 +35,8 @@ struct Reference {
     std::string name() const { return text->substr(at, length); }
 };
 
-/// All references, in the order in which they occur in the scene. If no object has the name, the reference has the kind
-/// that its field expects.
+/// All references, in the order in which they occur in the scene. `Reference::kind` is the kind of the object that has
+/// the name; if no object has it, a kind that the field accepts.
 std::vector<Reference> referencesOf(Scene& scene);
 
 /// JSON pointer of the list or map that contains objects of this kind.

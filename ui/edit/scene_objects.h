@@ -37,7 +37,7 @@ struct SceneObject {
     std::vector<Point> area;  // outline of its interior [m]; empty: it has only lines and marks
 };
 
-/// True for objects that exist only in rock and are not visible in openings.
+/// True for kinds of objects that exist only in rock, so that they are not visible in openings.
 bool endsAtOpenings(ObjectKind kind);
 
 /// Bounding box of all points of the object [m]; null if it has no points.
@@ -50,8 +50,8 @@ bool isInOpening(std::span<const SceneObject> objects, const Point& place);
 /// usable points are omitted.
 std::vector<SceneObject> objectsOf(const Scene& scene);
 
-/// The traces of a joint set within its region, for a preview; they are the same as in `objectsOf`. Empty if they
-/// cannot be generated or if their number would exceed `mostShownTraces`.
+/// The traces of a joint set within its region, for a preview. Gives the same traces as `objectsOf`. Empty if the
+/// traces cannot be generated, or if there would be more than `mostShownTraces`.
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set);
 
 inline constexpr double mostShownTraces = 10000.0;  // same limit as in the check

@@ -44,7 +44,7 @@ public:
     /// The best snap point near `place`; null if nothing is near and there is no grid.
     std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
 
-    /// Number of lines that `at` examines for this position.
+    /// Number of lines that `at` examines for this position and search radius [m].
     std::size_t compared(const Point& place, double radius) const;
 
 private:

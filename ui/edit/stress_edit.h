@@ -23,15 +23,15 @@ struct PrincipalStresses {
     double angle = 0.0;  // direction of σ1, counter-clockwise from the x axis [°]
 };
 
-/// Sets an in-situ stress that increases with depth, with its reference value at mid-height of the rock. Refused if
+/// Sets an in-situ stress that increases with depth. Its reference elevation is the mid-height of the rock. Refused if
 /// there is no rock, if rock lies above the ground surface, if the unit weight is not positive, or if K0 is negative.
 Edit withDepthStress(const Scene& scene, const DepthStress& stress);
 
 /// Sets a uniform in-situ stress. Refused if σ1 < σ3.
 Edit withPrincipalStresses(const Scene& scene, const PrincipalStresses& stress);
 
-/// Suggested input: the values of the scene's in-situ stress if it increases with depth, otherwise the ground surface
-/// at the top of the rock and the unit weight of the first material.
+/// Suggested input for `withDepthStress`. If the scene's in-situ stress increases with depth, its values are suggested.
+/// Otherwise the ground surface is at the top of the rock, the unit weight is that of the first material, and K0 is 1.
 DepthStress suggestedDepthStress(const Scene& scene);
 
 /// Principal stresses of the scene's in-situ stress; its gradient is ignored.

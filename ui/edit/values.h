@@ -24,7 +24,7 @@ std::string valueProblem(const Field& field, const FieldValue& value);
 
 /// Sets the value at a pointer. A new name is passed to `renameAt`, which updates references. Built-in bolt types
 /// cannot be changed, because other scenes use them. To set thousands of values one after another without copying the
-/// scene each time, pass it with `std::move`.
+/// scene each time, pass `scene` with `std::move`.
 Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value);
 
 /// Sets a field to null, which means "none" or "automatic"; a field that cannot be null gets its default. If the

@@ -29,11 +29,12 @@ std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double r
 /// shape is invalid.
 std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Point& place);
 
-/// Length [m] of a tunnel's wall from one position to another in the given direction; the length of the whole wall if
-/// the positions coincide. `from` and `to` are lengths along the wall, as in `WallPlace::along`.
+/// Length [m] of the part of a tunnel's wall from `from` to `to` in the given direction; the length of the whole wall
+/// if the positions coincide. `from` and `to` are lengths along the wall [m], as in `WallPlace::along`.
 double runAlong(const SceneTunnel& tunnel, double from, double to, Way way);
 
-/// The part of a tunnel's wall that starts at `from` and leads to `to` in the given direction, as a polyline [m].
+/// The part of a tunnel's wall from `from` to `to` in the given direction, as a polyline [m]; the whole wall if the
+/// positions coincide. `from` and `to` are lengths along the wall [m], as in `WallPlace::along`.
 std::vector<Point> wallBetween(const SceneTunnel& tunnel, double from, double to, Way way);
 
 }  // namespace keyblock

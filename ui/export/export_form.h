@@ -32,7 +32,7 @@ public:
     void choose(ExportWhat what);
 
     Kind kind() const;
-    /// The export order; its output path is not set.
+    /// The export that the form describes. Its output path is not set.
     ExportOrder order() const;
     /// Extension of the file to write; empty: the export writes a folder.
     QString ending() const;

@@ -21,7 +21,7 @@ struct ExportStopped : std::exception {};
 /// True if the figure contains charts, which only the window's thread can draw.
 bool hasCharts(FigureKind kind);
 
-/// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the names of the files.
+/// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the paths of the files.
 /// \throws CannotDraw, CannotWrite
 std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out);
@@ -32,13 +32,15 @@ void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& fil
 /// True if the table describes one frame; false if it describes the whole run.
 bool isOfFrame(TableKind kind);
 
-/// The frame that the filter selects, e.g. "frame 12 of 67, stage burst at 0.052 s"; empty if the run has no frames.
+/// Text that names the frame selected by the filter, e.g. "frame 12 of 67, stage burst at 0.052 s"; empty if the run
+/// has no frame that matches the filter.
 std::string frameText(const RunSource& run, const TableFilter& filter);
 
 /// Writes the section at every frame. The output is an .mp4 or .webm animation or, if `out` has no extension, a folder
 /// of PNG files.
 /// \param perSecond frames per second of an animation
-/// \param done called after each frame
+/// \param stop set by the caller to stop the export
+/// \param done called after each frame with the number of frames written and the number of all frames
 /// \throws CannotDraw, CannotWrite, ExportStopped
 void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond, const std::filesystem::path& out,
                const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done);

@@ -29,7 +29,7 @@ public:
     std::size_t size() const;  // number of images
     int columns() const;  // width of an image [px]
     int rows() const;  // height of an image [px]
-    /// Index, within the run, of the frame that an image shows.
+    /// Index in the run of the frame that image `picture` shows.
     std::size_t frame(std::size_t picture) const;
 
     /// Pixels of an image, in rows from top to bottom, with four bytes per pixel: blue, green, red, unused.

@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Creates the application object on the first call. Fonts and the iteration order of hash tables are then the same in
-/// every process.
+/// Creates the application object on the first call. Also ensures that fonts and the iteration order of hash tables are
+/// the same in every process.
 void needApplication();
 
 }  // namespace keyblock

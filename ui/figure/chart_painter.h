@@ -36,8 +36,8 @@ struct ChartLayout {
 /// The theme for paper: white background, black text.
 const ChartTheme& paperChartTheme();
 
-/// Area in which the curves are drawn: from `left` to `right` along the horizontal axis, and the panels from top to
-/// bottom [mm].
+/// Area in which the curves are drawn [mm, y downwards], and the vertical extent of each panel, in order from top to
+/// bottom.
 struct ChartPlace {
     struct Panel {
         double top = 0.0, bottom = 0.0;

@@ -25,8 +25,8 @@ struct ColumnItem {
 
 inline constexpr double itemGap = 4.2;  // vertical gap between two items [mm]
 
-/// Draws an arrow that starts at `at`, or a bar centred at `at`. \param length direction and length on paper [mm], y
-/// downwards.
+/// Draws an arrow that starts at `at`, or a bar centred at `at`.
+/// \param length the arrow or bar as a vector on paper [mm, y downwards].
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
 
 // Items for a column of `width` [mm]. The data passed by reference must outlive them.

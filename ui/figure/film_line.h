@@ -19,11 +19,12 @@ inline constexpr double filmLineHeight = 9.0;  // [mm]
 
 class FilmLine {
 public:
-    /// \param frames frames of the run that are shown, in order. \param events the events, numbered as in the last
-    /// frame.
+    /// \param frames for each image, in order, the index in the run of the frame that it shows.
+    /// \param events the numbered events of the last of these frames.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// Draws the timeline below image `picture`: `width` [mm] wide, with its upper left corner at `at`.
+    /// Draws the timeline below the image with the index `picture`. The timeline is `width` [mm] wide and has its upper
+    /// left corner at `at` [mm].
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:

@@ -15,8 +15,8 @@ namespace keyblock {
 
 class Sheet {
 public:
-    /// A sheet of width `width` [mm]. Long texts are wrapped; if they are still too long, they are shortened with an
-    /// ellipsis.
+    /// A sheet of width `width` [mm]. The title, the subtitle and each warning take up at most two lines; longer ones
+    /// are shortened with an ellipsis.
     /// \param warnings the result of `warningsOf`.
     Sheet(double width, const std::string& title, const std::string& subtitle, const std::vector<std::string>& warnings);
 
@@ -32,10 +32,12 @@ private:
     std::vector<std::string> title_, subtitle_, warnings_;
 };
 
-/// The warnings (from `stageWarnings`) about the stage of a frame, or about all stages for a figure of the whole run.
+/// The warnings (from `stageWarnings`) about the stage to which the frame with this index belongs; about all stages if
+/// `frame` is null.
 std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
 
 /// Text of the footer: "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm".
+/// \param frame index of the frame; null: the figure shows the whole run. \param height height of the figure [mm].
 std::string footOf(const RunSource& run, const FigureRequest& request, std::optional<std::size_t> frame, double height);
 
 }  // namespace keyblock

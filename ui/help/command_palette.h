@@ -48,6 +48,7 @@ private:
 
 /// Commands that match the typed text, best match first. Among equally good matches, enabled commands come first, then
 /// the most recently used ones.
+/// \param recent ids of recently used commands, latest first.
 QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent);
 
 }  // namespace keyblock

@@ -60,7 +60,7 @@ public:
     void setWhyNot(const QString& id, const QString& why);
     QString whyNot(const QAction* action) const;
 
-    /// Text that refers to the command in messages: its keys, such as `F5`, or, if it has none, its name, such as
+    /// Text that refers to the command in messages: its keys, e.g. `F5`. If it has no keys, its name is used, e.g.
     /// `“Run”`.
     QString callOf(const QString& id) const;
 

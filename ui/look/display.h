@@ -32,7 +32,7 @@ public:
     bool compressionPositive() const { return compressionPositive_; }
     void setCompressionPositive(bool positive);
 
-    /// Unit of an elastic modulus in the field table; it is displayed in GPa where stresses are displayed in MPa.
+    /// Unit of elastic moduli in the field table. Moduli are displayed in GPa if stresses are displayed in MPa.
     static constexpr std::string_view modulusUnit = "Pa (modulus)";
 
     /// The display unit for `siUnit`, which is written as in the field table; `siUnit` itself if there is no other

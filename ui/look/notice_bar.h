@@ -29,7 +29,8 @@ public:
     /// \param over the widget whose upper edge the bar covers.
     NoticeBar(const Themes& themes, QWidget* over);
 
-    /// Shows a message in place of the previous one; each answer closes the bar. A Close button is added.
+    /// Shows a message in place of the previous one, with a button for each answer and a Close button. A click on an
+    /// answer closes the bar and calls `Answer::run`.
     void say(const QString& text, const std::vector<Answer>& answers);
 
 protected:

@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// Converts UTF-8 text of the solver to a QString.
+/// Converts UTF-8 text from the solver to a QString.
 inline QString qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
 }  // namespace keyblock

@@ -10,7 +10,7 @@ namespace keyblock {
 
 class Themes;
 
-/// Dims the placeholder text of a line edit, to which a style sheet would otherwise give the colour of typed text.
+/// Dims the placeholder text of a line edit. The style sheet would otherwise give it the colour of typed text.
 void dimHint(QLineEdit& line);
 
 class FilterLine : public QLineEdit {

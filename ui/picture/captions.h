@@ -10,14 +10,14 @@
 
 namespace keyblock {
 
-/// Title that includes the stage and time of a frame, such as "Drift with D-bolts, stage release at 0.212 s"; for a
-/// static stage, the time is its pseudo-time.
+/// Title of the scene with the stage and time of the frame with this index, such as "Drift with D-bolts, stage release
+/// at 0.212 s". In a static stage, the time is the pseudo-time. If `frame` is null, the title ends in "before the run".
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame);
 
-/// A time within a stage: "0.212 s" for a dynamic stage, the pseudo-time "0.21" for a static one.
+/// Text of a time in the stage with this index: "0.212 s" in a dynamic stage, the pseudo-time "0.21" in a static one.
 std::string timeText(const Scene& scene, int stage, double time);
 
-/// Like `timeText`, but in milliseconds below a tenth of a second: "3.95 ms".
+/// Like `timeText`, but times below 0.1 s in a dynamic stage are given in milliseconds: "3.95 ms".
 std::string shortTimeText(const Scene& scene, int stage, double time);
 
 /// One line that lists the rock, joints and bolts and gives the scale factor of the displacements.

@@ -58,7 +58,8 @@ class AnchorStrip : public QWidget {
 public:
     AnchorStrip(const FormContext& context, QWidget* parent);
 
-    /// Shows the bolt, or the first bolt of the pattern; hides the strip for any other object.
+    /// Shows the bolt at `pointer`, or the first bolt of the pattern at `pointer`. Hides the strip if `pointer` refers
+    /// to any other object.
     void setObject(const std::string& pointer);
     void refresh();
     AnchorLine& line() const { return *line_; }

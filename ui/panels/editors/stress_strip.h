@@ -26,7 +26,7 @@ class StressStrip : public QWidget {
 public:
     StressStrip(const FormContext& context, QWidget* parent);
 
-    /// Shows the strip if the object is the in-situ stress; hides it for any other object.
+    /// Shows the strip if `pointer` refers to the in-situ stress; otherwise hides it.
     void setObject(const std::string& pointer);
 
 private:

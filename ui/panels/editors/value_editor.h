@@ -53,7 +53,7 @@ ValueEditor* makeValueEditor(const FormRow& row, const FormContext& context, QWi
 /// The value that is used if the field is null, in display units; empty if it is known only during a run.
 QString automaticText(const FormRow& row, const FormContext& context);
 
-/// The meaning of null for the field, e.g. `auto (1)`, `automatic` or `unlimited`.
+/// Text that the field shows if its value is null, e.g. `auto (1)`, `automatic` or `unlimited`.
 QString nullTextOf(const FormRow& row, const FormContext& context);
 
 }  // namespace keyblock

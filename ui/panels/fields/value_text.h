@@ -35,7 +35,9 @@ struct Typed {
 /// SI unit `unit`.
 Typed<double> readNumber(const QString& text, std::string_view unit, const Display& display);
 
-/// A value as text on one line: numbers, positions, points, triples and strings. Empty if the value is null.
+/// Text of a value that fits on one line (number, position, point, triple or string), in display units. Empty if the
+/// value is null.
+/// \param exact true: numbers have enough digits to be restored exactly.
 QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
                   bool exact = false);
 

@@ -33,10 +33,10 @@ public:
     void choose(const QString& name);
     QString chosen() const { return chosen_; }
 
-    /// Adds a copy of the bolt type to the scene under an unused name, and selects the copy.
+    /// Adds a copy of the bolt type shown to the scene under an unused name, and selects the copy.
     void copyIntoScene();
 
-    /// Assigns the bolt type to all selected bolts and patterns.
+    /// Assigns the bolt type shown to all selected bolts and patterns.
     void assign();
 
     void refresh();

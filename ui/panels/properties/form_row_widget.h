@@ -26,7 +26,7 @@ public:
     const FormRow& row() const { return row_; }
     ValueEditor& editor() const { return *editor_; }
 
-    /// Shows below the field why the input was refused; an empty text removes the message.
+    /// Shows below the field why the input was refused; an empty string removes the message.
     void setRefusal(const QString& why);
 
 Q_SIGNALS:

@@ -41,8 +41,8 @@ public:
 
     /// Places a widget above the fields.
     void addAbove(QWidget* widget);
-    /// Shows `title` and, below it, `detail` instead of the description of the selection; empty texts restore the
-    /// description. As long as `title` is set, the fields are hidden if nothing is selected.
+    /// Shows `title` and, below it, `detail` instead of the description of the selection; empty strings restore the
+    /// description. As long as a title is set, the panel shows no fields if nothing is selected.
     void setSubject(const QString& title, const QString& detail);
 
 Q_SIGNALS:

@@ -18,7 +18,7 @@ struct SelectionTitle {
     QString detail;  // what an edit will change, or the number of objects of each kind
 };
 
-/// Title for these objects. \pre at least two pointers.
+/// Title and detail for a selection of the objects at `pointers`. \pre there are at least two pointers.
 SelectionTitle selectionTitle(const Scene& scene, const std::vector<std::string>& pointers);
 
 }  // namespace keyblock

@@ -38,9 +38,9 @@ std::vector<PlanRow> stagePlan(const Scene& scene);
 
 inline constexpr std::size_t mostPlanBlocks = 40;
 
-/// Toggles a cell. Rock: excavates the rock in this stage and in no other, or cancels its excavation in this stage.
-/// Bolts: cancels an installation or removal in this stage. If there is neither, removes the bolt if it is present and
-/// some stage installs it; otherwise installs it.
+/// Toggles the cell of `row` for the stage with index `stage`. Rock is excavated in this stage and in no other; if this
+/// stage already excavates it, the excavation is cancelled. If a bolt is installed or removed in this stage, this is
+/// cancelled. Otherwise the bolt is removed if it is present and some stage installs it, and installed if not.
 Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
 
 /// Name of the undo step for `toggled`, e.g. `Excavate drift in Stage 1`.

@@ -60,8 +60,8 @@ TreeNode& addChild(TreeNode& parent, std::unique_ptr<TreeNode> child);
 /// Creates the deferred children of `node`.
 std::vector<std::unique_ptr<TreeNode>> waitingChildren(const TreeSource& source, const TreeNode& node);
 
-/// For each JSON pointer, the highest severity among the errors and warnings about the value at this pointer or about
-/// anything below it.
+/// Maps a JSON pointer to the highest severity of the errors and warnings about the value at this pointer or about
+/// anything below it. Pointers without problems are left out.
 std::map<std::string, Severity> severities(const std::vector<Problem>& problems);
 
 }  // namespace keyblock
