@@ -65,7 +65,7 @@ struct ChartZone {
     double from = 0.0, to = 0.0;
 };
 
-/// Interval that a stage takes up on a time axis.
+/// Interval of a time axis that one stage occupies.
 struct StageSpan {
     int stage = 0;
     std::string name;
@@ -83,7 +83,8 @@ struct Chart {
     std::vector<double> dividers;  // dotted vertical lines through all panels
     std::vector<double> events;  // faint vertical lines through all panels, with a tick on the axis
 
-    /// True if the axis shows several stages, each with its own time; positions on the axis are then not times.
+    /// True if the axis shows several stages. Each stage then has its own time, and positions on the axis are not
+    /// times.
     bool isStaged() const { return stages.size() > 1; }
 };
 
@@ -93,9 +94,9 @@ struct AxisTick {
     std::string text;
 };
 
-/// Ticks at round times of each stage, as many as fit without overlap.
-/// \param perUnit length of one axis unit.
-/// \param widthOf returns the width of a label plus the gap to the next one, in the same unit of length.
+/// Ticks at round times of each stage, as many as fit without overlapping labels.
+/// \param perUnit length of one axis unit in the drawing.
+/// \param widthOf returns the width of a label plus the gap to the next label, in the same unit of length.
 std::vector<AxisTick> stageTicks(const std::vector<StageSpan>& stages, double perUnit,
                                  const std::function<double(const std::string&)>& widthOf);
 
@@ -105,13 +106,14 @@ struct StageMoment {
     double time = 0.0;
 };
 
-/// The stage and time at a position on the axis; for a position beyond the axis, those at its nearest end.
+/// Stage and time at the position `place` on the axis. A position beyond the axis is treated as the nearest end of the
+/// axis.
 /// \pre `stages` is not empty.
 StageMoment momentAt(const std::vector<StageSpan>& stages, double place);
 
-/// Sets the range of the panel. It includes zero, `panel.reached`, the curves, and every limit up to 1.5 times the
-/// largest of these values on the same side of zero; limits further from zero are removed. A panel that contains only
-/// zeros gets the range 0 … 1.
+/// Sets `panel.range` so that it includes zero, `panel.reached` and all curves. The range also includes each limit that
+/// is at most 1.5 times the largest of these values on the same side of zero. Limits further from zero are removed from
+/// the panel. A panel that contains only zeros gets the range 0 … 1.
 void fitRange(ChartPanel& panel);
 
 /// The curve reduced to about `most` points. The points are divided into groups of consecutive points, and the first,

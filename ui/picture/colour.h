@@ -22,7 +22,7 @@ constexpr Colour rgb(std::uint32_t hex) {
             static_cast<std::uint8_t>(hex & 0xff)};
 }
 
-/// Nine colours at equal intervals, from low to high values.
+/// Nine colours for values at equal intervals, from the lowest value to the highest.
 using ColourMap = std::array<Colour, 9>;
 
 inline constexpr ColourMap slate{rgb(0xF3EEE6), rgb(0xD2DED4), rgb(0xB4CBC4), rgb(0x97B6B5), rgb(0x7CA1A7),
@@ -38,7 +38,7 @@ inline constexpr ColourMap slateDark{rgb(0x1F2631), rgb(0x263647), rgb(0x2C475C)
 inline constexpr ColourMap emberDark{rgb(0x7C2440), rgb(0x9B2E3E), rgb(0xB73D35), rgb(0xCE5328), rgb(0xE06F1D),
                                      rgb(0xEA8D2B), rgb(0xEFAC4E), rgb(0xF2CA79), rgb(0xF5E5A8)};
 
-/// The version of a map for dark backgrounds. The map Tide is the same on both backgrounds.
+/// The version of a map for dark backgrounds. The map Tide is the same on light and dark backgrounds.
 const ColourMap& darkOf(const ColourMap& map);
 
 /// The colour at the fraction `share` of the range, interpolated linearly between the colours of the map. Fractions

@@ -40,7 +40,7 @@ struct EventList {
 /// The events of a run up to and including a frame. \pre `events` are in chronological order.
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame);
 
-/// A list of these events with at most `most` entries.
+/// The numbered list of `events`, which are events of the run `run`. The list has at most `most` entries.
 EventList eventList(const RunSource& run, std::span<const Event> events, std::size_t most);
 
 }  // namespace keyblock

@@ -23,10 +23,11 @@ public:
     const std::vector<StageSpan>& stages() const { return stages_; }
     double end() const { return stages_.empty() ? 0.0 : stages_.back().to; }
 
-    /// Axis position of a time within a stage.
+    /// Axis position of a time that is counted from the start of the stage; the end of the axis if the stage has not
+    /// started.
     double at(int stage, double time) const;
 
-    /// Axis position of a time accumulated over all stages.
+    /// Axis position of a time that is counted from the start of the first stage and accumulated over all stages.
     double atTotal(double time) const;
 
     /// Title of the axis.

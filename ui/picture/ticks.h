@@ -34,11 +34,12 @@ struct Ticks {
 /// At most `most` ticks within the range. \pre low < high, most ≥ 2
 Ticks roundTicks(const ValueRange& range, int most);
 
-/// The range extended to round numbers at both ends, such that at most `most` ticks lie within it. The range 0 … 0
-/// becomes 0 … 1; any other range of zero width is first extended to include zero.
+/// The range, extended at both ends to multiples of a round tick interval. The interval is chosen so that the result
+/// has at most `most` ticks. The range 0 … 0 becomes 0 … 1; any other range of zero width is first extended to include
+/// zero.
 ValueRange roundedRange(const ValueRange& range, int most);
 
-/// A rounded range that is symmetric about zero and contains `range`.
+/// Like `roundedRange`, but the result is symmetric about zero.
 ValueRange roundedSymmetric(const ValueRange& range, int most);
 
 /// A value with its weight, such as the area of the block to which it belongs.
@@ -47,8 +48,8 @@ struct Weighed {
     double weight = 1.0;
 };
 
-/// Range of the values without the extremes: at each end, the values that make up the fraction `share` of the total
-/// weight are left out. Both ends are zero if there are no values.
+/// Range of the values without the extremes: at each end, values whose weights add up to at most the fraction `share`
+/// of the total weight are left out. The range is 0 … 0 if there are no values.
 ValueRange rangeWithout(std::vector<Weighed> values, double share);
 
 /// Text of `value` with the given number of decimals.

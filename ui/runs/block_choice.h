@@ -20,7 +20,7 @@ public:
     /// Selecting a bolt in `bolts` deselects the block.
     BlockChoice(const TimeCursor& cursor, BoltChoice& bolts, QObject* parent = nullptr);
 
-    /// Index among the solved blocks of the run shown; −1: none.
+    /// Index of the selected block among the solved blocks of the run shown; −1: none.
     int block() const { return block_; }
     void choose(int block);
 

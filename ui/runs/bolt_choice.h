@@ -21,7 +21,7 @@ class BoltChoice : public QObject {
 public:
     BoltChoice(const Document& document, Selection& selection, const TimeCursor& cursor, QObject* parent = nullptr);
 
-    /// Index among the bolts of the run shown; −1: no particular bolt.
+    /// Index of the selected bolt among the bolts of the run shown; −1: no single bolt is selected.
     int bolt() const { return bolt_; }
     void choose(int bolt);
 

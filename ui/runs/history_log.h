@@ -17,7 +17,7 @@ class HistoryLog {
 public:
     void append(std::vector<HistoryRow> rows);
     std::size_t size() const { return size_; }
-    /// The history row with this index. \pre `row` is less than the number of rows.
+    /// The history row with the index `row`. \pre row < size()
     const HistoryRow& operator[](std::size_t row) const;
     std::vector<HistoryRow> all() const;
 

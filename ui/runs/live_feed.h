@@ -18,7 +18,7 @@
 
 namespace keyblock {
 
-/// Worst values over the steps since the previous sample.
+/// Solver diagnostics: the worst values over the steps since the previous sample.
 struct HealthSample {
     int stage = 0;
     double time = 0.0;  // time of the last step within its stage
@@ -65,12 +65,14 @@ public:
     void stageEnds(const StageResult& result);
     void event(const Event& event);
     void history(const HistoryRow& row);
-    /// Adds the head of a stored frame, and a copy of the frame if the window has called `take` since the last copy.
+    /// Adds the head of a stored frame. If the window has called `take` since the last copy, also adds a copy of the
+    /// frame.
+    /// \param number index of the frame among the stored frames
     void frame(const Frame& frame, std::size_t number);
     void look(const Frame& frame);
     void progress(const Progress& progress);
-    /// Replaces all data with the results that a store held before the run was resumed. \param until checkpoint from
-    /// which the run resumes; null: all results in the store
+    /// Replaces all data with the results that the store held before the run was resumed.
+    /// \param until checkpoint from which the run resumes; later results are left out. Null: nothing is left out.
     void earlier(const RunSource& run, const Checkpoint* until = nullptr);
 
 private:
@@ -82,7 +84,7 @@ private:
 /// Writes all results to a store before passing them to the feed, so that the window only shows data that are saved.
 class LiveSink : public Sink {
 public:
-    /// \param store,feed must outlive this object. \param solved the scene as solved.
+    /// \param store,feed must outlive this object. \param solved the scene as solved, i.e. cut into blocks.
     LiveSink(Sink& store, LiveFeed& feed, std::shared_ptr<const Scene> solved);
 
     void begin(const Scene& scene, const HistoryColumns& columns) override;

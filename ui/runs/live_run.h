@@ -47,18 +47,20 @@ public:
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
     const HistoryLog& historyRows() const { return history_; }
-    /// Snapshot of the events. Later events are not added to it.
+    /// Snapshot of the events so far. Later events are not added to the snapshot.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 
     /// The latest state, whether it is stored or not. Its frame is null before the first state and for a run opened
     /// from a file.
     const ShownFrame& newest() const { return newest_; }
 
-    /// Solver diagnostics of the steps, at most a few hundred samples; empty for a run opened from a file.
+    /// Solver diagnostics of the steps in chronological order, combined into at most a few hundred samples; empty for a
+    /// run opened from a file.
     const std::vector<HealthSample>& health() const { return health_; }
     const std::optional<Progress>& progress() const { return progress_; }
 
-    /// A stored frame. Can be called from any thread; the most recently used frames stay in memory. \throws CannotRead
+    /// The stored frame with this index. Can be called from any thread. The most recently used frames stay in memory.
+    /// \throws CannotRead
     std::shared_ptr<const Frame> sharedFrame(std::size_t index) const;
 
     const std::filesystem::path& store() const { return store_; }
@@ -88,7 +90,7 @@ private:
 /// Snapshot of a run at one time, from which any thread can make drawings.
 class Moment : public RunSource {
 public:
-    /// Snapshot of the stored frame `index`.
+    /// Snapshot of the stored frame with this index.
     Moment(std::shared_ptr<const LiveRun> run, std::size_t index);
     /// Snapshot of the latest state of the run. \pre the state exists.
     explicit Moment(std::shared_ptr<const LiveRun> run);

@@ -41,7 +41,7 @@ public:
     enum class State { Preparing, Running, Paused, Stopping, Ended };
 
     explicit RunSession(RunOrder order, QObject* parent = nullptr);
-    /// Stops the run if it is in progress, and waits for its end; results so far are kept.
+    /// Stops the run if it is in progress, and waits for it to finish. Results so far are kept.
     ~RunSession() override;
 
     void start();

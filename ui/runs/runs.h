@@ -56,7 +56,9 @@ public:
     QString nothingToRun() const;
     /// Starts a run of the document. If a run is in progress, reports an error instead.
     void start();
-    /// Resumes an interrupted run. \pre the run can be resumed.
+    /// Resumes an interrupted run. If a run is in progress, reports an error instead.
+    /// \param store path of the run's store.
+    /// \pre `RunSummary::resumable` is true and `RunEntry::ofEarlierScene` is false for this run.
     void resume(const QString& store);
     void pauseOrGoOn();
     void step();
@@ -77,7 +79,7 @@ public:
     /// A notice such as "Run 12 used an earlier version of the scene"; empty if the run shown used the current version.
     QString staleness() const;
 
-    /// Stops the run in progress, if any, and waits for its end; results so far are kept.
+    /// Stops the run in progress, if any, and waits for it to finish. Results so far are kept.
     void stopForClosing();
 
 Q_SIGNALS:

@@ -34,13 +34,14 @@ public:
     void showResults(bool results);
     bool showsResults() const;
 
-    /// Sets a second run with which this run shares its colour ranges; null: no second run. Exactly one of the two runs
-    /// must have `leads` set: the steel limits and the round-off threshold of its scene apply to both runs.
+    /// Makes the run of this feed share its colour ranges with the run `other`; null: the ranges are not shared.
+    /// \param leads true: the steel limits and the round-off threshold of this feed's scene apply to both runs; false:
+    /// those of the other run's scene. Must be true for exactly one of the two feeds, and true if `other` is null.
     void shareRanges(std::shared_ptr<const LiveRun> other, bool leads);
 
     /// The latest drawing of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
-    /// The frame that this drawing shows.
+    /// The frame that `picture` shows; null before the first drawing.
     const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
 Q_SIGNALS:

@@ -26,14 +26,15 @@ public:
 
     const std::vector<Span>& spans() const { return spans_; }
     bool isEmpty() const { return spans_.empty(); }
-    /// Axis position of a time within a stage; the end of the axis if the stage does not exist.
+    /// Axis position of a time that is counted from the start of the stage; the end of the axis if the stage does not
+    /// exist.
     double at(int stage, double time) const;
 
     struct Moment {
         int stage = 0;
         double time = 0.0;
     };
-    /// Time at a position; for a position outside 0 … 1, the time at the nearest end of the axis.
+    /// Stage and time at the axis position `place`. A position outside 0 … 1 is treated as the nearest end of the axis.
     /// \pre there is at least one stage.
     Moment momentAt(double place) const;
 

@@ -22,7 +22,7 @@ namespace keyblock {
 class LiveRun;
 class Moment;
 
-/// A time within a stage.
+/// A time, counted from the start of its stage.
 struct StageTime {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1 in a static stage
@@ -38,22 +38,22 @@ public:
     ~TimeCursor() override;
 
     /// Shows another run at its latest time; null: no run.
-    /// \param goesOn true if the run is in progress; its latest time is then followed.
+    /// \param goesOn true if the run is in progress. The cursor then follows the run, i.e. stays at its latest time.
     void setRun(std::shared_ptr<LiveRun> run, bool goesOn);
-    /// Call this when the run has new results. Moves to the latest time if the run is followed.
+    /// Call this when the run has new results. Moves to the latest time if the cursor follows the run.
     void grown();
-    /// Call this when the run has ended. Moves to the last frame if the run was followed.
+    /// Call this when the run has ended. Moves to the last frame if the cursor was following the run.
     void ranOut();
 
     const std::shared_ptr<LiveRun>& run() const { return run_; }
     bool goesOn() const { return goesOn_; }
-    /// True while the latest time of a run in progress is followed.
+    /// True while the cursor follows a run in progress.
     bool isLive() const { return live_; }
     bool hasMoment() const;
-    /// Index of the stored frame shown; none if no frame is stored yet, or if the state shown is not stored.
+    /// Index of the stored frame that is shown; none if no frame is stored yet or the state shown is not stored.
     std::optional<std::size_t> frame() const;
-    /// Like `frame`, but returns the last stored frame if the state shown is not stored; none if no frame is stored
-    /// yet.
+    /// Like `frame`, but if the state shown is not stored, the index of the last stored frame. None only if no frame is
+    /// stored yet.
     std::optional<std::size_t> storedFrame() const;
     /// Head of the state shown. \pre `hasMoment()` is true.
     FrameHead head() const;
@@ -67,9 +67,9 @@ public:
     void step(int by);
     void home();
     void end();  // shows the last frame; if a run is in progress, follows it
-    /// Moves towards the next event: to the stored state just before it or, if there is no such state or it is already
-    /// shown, to the first frame that includes the event. Hidden kinds of events are skipped; minor events are skipped
-    /// unless there are no others. Returns false if there is no further event.
+    /// Moves to the stored frame with the state just before the next event. If there is no such frame or it is already
+    /// shown, moves to the first frame that includes the event. Hidden kinds of events are skipped. Minor events are
+    /// skipped unless there are no others. Returns false if there is no further event.
     bool nextEvent();
     bool previousEvent();  // moves to the last such frame before the one shown
     bool hasNextEvent() const { return nextEventFrame().has_value(); }
@@ -87,7 +87,8 @@ public:
     bool loops() const { return loops_; }
     void setLoops(bool loops);
 
-    /// The stored frame that is compared with the time shown (cursor A); none if cursor B is not set.
+    /// Index of the stored frame at cursor B, which is compared with the time shown (cursor A); none if cursor B is not
+    /// set.
     std::optional<std::size_t> cursorB() const { return b_; }
     void setCursorB(std::optional<std::size_t> frame);
 

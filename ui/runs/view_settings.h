@@ -34,7 +34,7 @@ class ViewSettings : public QObject {
     Q_OBJECT
 
 public:
-    /// The default settings: σ₁ for blocks and N for bolts.
+    /// Starts with the default settings: blocks show the principal stress σ₁, and bolts show the axial force N.
     explicit ViewSettings(QObject* parent = nullptr);
 
     const ViewChoice& choice() const { return choice_; }

@@ -20,7 +20,7 @@ class PicturePane : public QWidget {
 public:
     explicit PicturePane(const Themes& themes, QWidget* parent = nullptr);
 
-    /// Shows the drawing or, if there is none, the text `otherwise`.
+    /// Shows the drawing `picture` or, if there is none, the message `otherwise`.
     void show(std::optional<SectionPicture> picture, const QString& otherwise);
 
     QSize sizeHint() const override { return {520, 320}; }

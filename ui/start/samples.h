@@ -27,10 +27,10 @@ struct Sample {
 /// All samples: first a few instructive ones, then drifts, bolts and blocks, each group sorted by name.
 std::vector<Sample> gallerySamples();
 
-/// Folder with the CSV records that the samples use; created if necessary.
+/// Path of the folder with the CSV records that the samples use. Creates the folder if necessary.
 QString sampleRecordFolder();
 
-/// The scene of a sample, with its records included; none if it cannot be read.
+/// The scene of a sample, including the values of its acceleration records; none if the scene cannot be read.
 std::optional<Scene> sampleScene(const Sample& sample);
 
 }  // namespace keyblock

@@ -80,7 +80,7 @@ private:
     QWidget* side_;
 };
 
-/// Adds the command that shows the page again.
+/// Adds the command view.start, which shows the page again.
 void addStartCommands(Commands& commands, StartPage& page);
 
 }  // namespace keyblock

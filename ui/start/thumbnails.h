@@ -16,7 +16,7 @@ namespace keyblock {
 
 struct Theme;
 
-/// Facts about a scene, shown on its card or in its row of the start page.
+/// Facts about a scene, shown on its card or in its row on the start page.
 struct SceneFacts {
     int blocks = 0, bolts = 0;
     int errors = 0, warnings = 0;
@@ -29,8 +29,9 @@ class Thumbnails : public QObject {
 public:
     explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// Requests the thumbnail of a scene file. The signal `ready` delivers the thumbnail, sooner if it is in the cache.
+    /// Requests the thumbnail of a scene file. The signal `ready` delivers the thumbnail later.
     /// \param size size of the thumbnail in device-independent pixels
+    /// \param ratio device pixel ratio
     void ask(const QString& path, QSize size, double ratio, const Theme& theme);
 
 Q_SIGNALS:

@@ -16,8 +16,8 @@ QStringList regionNames(const Scene& scene);
 QStringList boltTypeNames(const Scene& scene);  // types of the scene first, then the built-in ones
 QStringList stageNames(const Scene& scene);
 
-/// Leaves `name` unchanged if it is one of `names`. Otherwise sets it to the first of `names`, or to an empty string if
-/// there are none; an optional name is reset instead.
+/// Leaves `name` unchanged if it is one of `names`. Otherwise the first overload sets `name` to the first of `names`,
+/// or to an empty string if `names` is empty; the second overload resets `name`.
 void keepAmong(std::string& name, const QStringList& names);
 void keepAmong(std::optional<std::string>& name, const QStringList& names);
 

@@ -26,12 +26,14 @@ class CoordinateBox : public QFrame {
 public:
     CoordinateBox(QWidget& canvas, const Themes& themes);
 
-    /// Moves the box next to `pixel` and shows the coordinates of the point in it, unless the user is typing.
+    /// Moves the box next to `pixel`. Unless the user is typing, the box then shows the coordinates of `place` [m].
     /// \param previous point to which relative coordinates refer
     /// \param belowTag true: leave room above the box for the tag of a snap point
     void follow(const Point& place, const QPointF& pixel, const std::optional<Point>& previous, bool belowTag);
 
-    /// Starts typing coordinates; `text` is the first character typed.
+    /// Starts the input of coordinates by keyboard.
+    /// \param text first character typed; empty: nothing has been typed yet
+    /// \param previous point to which relative coordinates refer
     void begin(const QString& text, const std::optional<Point>& previous);
     bool isTyping() const { return typing_; }
     void stop();

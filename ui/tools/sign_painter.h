@@ -28,7 +28,7 @@ public:
     // Single symbols, for previews.
     void side(const Point& from, const Point& to, Fix fix, const QColor& colour);
     void held(const Point& place, Fix fix, const QColor& colour);
-    /// An arrow `pixels` long with its tip at `place`, pointing in the direction `way`.
+    /// An arrow of length `pixels` [px] with its tip at `place`, pointing in the direction `way`.
     void arrow(const Point& place, const Point& way, double pixels, const QColor& colour);
     void pressure(const Point& from, const Point& to, bool pulls, const QColor& colour);
     void motion(const Point& place, const Point& axis, const QColor& colour);

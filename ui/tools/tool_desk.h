@@ -34,7 +34,8 @@ public:
              const Display& display, const Themes& themes, Commands& commands, QObject* parent = nullptr);
     ~ToolDesk() override;
 
-    /// The column of tools at the left of the canvas, and the bar above the canvas. The caller places both.
+    /// `palette`: the column of tools at the left of the canvas. `bar`: the bar above the canvas. The caller places
+    /// both.
     ToolPalette& palette() { return *palette_; }
     ToolBar& bar() { return *bar_; }
     Workbench& bench() { return *bench_; }

@@ -37,7 +37,8 @@ struct ToolField {
 ToolField rowField(const char* list, const char* key, void* object, const QString& label, std::function<void()> changed,
                    const QStringList& choices = {});
 
-/// True if the field applies to the object (the width, for example, does not apply to a circular tunnel).
+/// True if the field `key` applies to `object`. The width, for example, does not apply to a circular tunnel.
+/// \param list the scene's list to which the object belongs
 bool rowApplies(const char* list, const char* key, const void* object);
 
 /// A numerical option that is not in the field table. Setting a value outside `range` is refused.

@@ -44,7 +44,8 @@ public:
     void handle(const Point& place, bool hot);
     void dot(const Point& place);
 
-    /// A dimension between two points with its text in a white box, `off` pixels to the left of the line.
+    /// A dimension between two points, with its text in a box. The dimension line is shifted by `off` pixels to the
+    /// left of the line from `from` to `to`.
     void dimension(const Point& from, const Point& to, const QString& text, double off);
     /// A short text in a small box, centred at `at` [px].
     void label(const QPointF& at, const QString& text);

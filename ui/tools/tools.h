@@ -20,13 +20,13 @@ class Workbench;
 /// One instance of each tool; the select tool is first.
 std::vector<std::unique_ptr<Tool>> makeAllTools(Workbench& bench);
 
-/// Adds a command, a key and a palette button for each tool; the commands are appended to `actions`.
+/// Adds a command, its key and a palette button for each tool. Appends the commands to `actions`.
 void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, std::vector<QAction*>& actions);
 
 /// Adds the commands that switch object snap, ortho, grid and grid snap on and off.
 void addModeCommands(Commands& commands, Workbench& bench);
 
-/// Indices of the selected bolts, and of the bolts of selected patterns, among the bolts of the cut scene.
+/// The selected bolts and the bolts of selected patterns, as indices into the bolts of the cut scene.
 std::vector<int> selectedBolts(const Workbench& bench);
 
 }  // namespace keyblock

@@ -72,8 +72,8 @@ public:
     bool isDrawing() const { return drawing_; }
     void setDrawing(bool drawing);
 
-    /// The point at the mouse after snapping. A snap point is ignored if `accepts` rejects it.
-    /// \param previous point that ortho and perpendicular snaps use as the start of the line
+    /// The point at the mouse after snapping. A snap point for which `accepts` returns false is ignored.
+    /// \param previous start of the line being drawn, used by ortho and by perpendicular snaps
     /// \param except pointers to objects excluded from snapping
     template <typename Accepts>
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
@@ -92,8 +92,8 @@ public:
 
     /// Applies the edit as an undo step called `step`. If the edit is refused, shows the reason and returns false.
     bool commit(const QString& step, const Edit& edit);
-    /// Applies an edit that creates an object, and selects this object. The undo step is called `step`, by default e.g.
-    /// `Add joint J3`.
+    /// Applies an edit that creates an object, and selects this object. The undo step is called `step` or, if `step` is
+    /// empty, `Add` and the name of the object, e.g. `Add joint J3`. Returns false if the edit is refused.
     bool add(const Edit& edit, const QString& step = {});
     /// Shows a message next to the prompt.
     void say(const QString& text, bool warns = false);

@@ -17,7 +17,9 @@ struct ForceShapes {
     LayerShapes lines;
 };
 
-/// Shapes of the picture's arrows, and of its contact forces within a window [m]. \param scale pixels per metre.
+/// Shapes of all arrows in the picture, and of the contact forces within `window` [m].
+/// \param origin point to which the corners of the shapes are relative [m]. \param scale device-independent pixels per
+/// metre.
 ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours,
                         const Box& window);
 

@@ -34,7 +34,7 @@ enum class LayerForm { Lines, Triangles };
 
 class Layer {
 public:
-    /// \param height order of the layer, from 0: higher layers cover lower ones.
+    /// \param height position of the layer in the stack, from 0 at the bottom. Higher layers cover lower ones.
     Layer(vtkRenderer& renderer, LayerForm form, int height);
     ~Layer();
     Layer(const Layer&) = delete;
@@ -45,9 +45,9 @@ public:
     void setColour(const Colour& colour, double opacity = 1.0);
     /// Sets the line width in device pixels.
     void setWidth(double pixels) { width_ = pixels; }
-    /// Sets the scale and size of the view in device pixels; call before rendering.
+    /// Sets the scale of the view, and its width and height [device px]. Must be called before rendering.
     void setView(double pixelsPerMetre, double width, double height);
-    /// Number of times the connectivity has been rebuilt, for tests.
+    /// How often the connectivity has been rebuilt so far. Used by tests.
     int joinings() const { return joinings_; }
 
 private:

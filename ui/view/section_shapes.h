@@ -19,6 +19,7 @@ public:
 
     LayerShapes openings() const;
     /// Triangles of the blocks. Blocks share no points, so each can have its own colour.
+    /// \param drawing true: all blocks have the colour of rock, because no results are shown.
     LayerShapes blocks(const ViewColours& colours, bool drawing) const;
     /// Outlines of all blocks.
     LayerShapes outlines() const;

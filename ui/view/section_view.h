@@ -35,7 +35,7 @@ public:
     /// \param picture the picture shown, or null.
     void look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture);
 
-    /// Number of times the connectivity of the blocks has been rebuilt: only once for successive frames of a run.
+    /// How often the connectivity of the blocks has been rebuilt so far. Successive frames of a run need it only once.
     int joinings() const;
 
 private:

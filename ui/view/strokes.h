@@ -12,9 +12,10 @@ class vtkActor;
 
 namespace keyblock {
 
-/// Name of the vertex attribute that each corner of a line has in addition to its position. Its components are: the
-/// vector from the start to the end of the line [m] (x, y); the line width relative to that of the layer, with a sign
-/// that gives the side of the line on which the corner lies; and the end at which the corner lies (−1: start, 1: end).
+/// Name of a vertex attribute with four components, which each corner of a line has in addition to its position. The
+/// first two are the vector from the start to the end of the line [m]. The third is the line width relative to that of
+/// the layer; its sign gives the side of the line on which the corner lies. The fourth gives the end of the line at
+/// which the corner lies (−1: start, 1: end).
 inline constexpr const char* strokeWay = "strokeWay";
 
 /// Sets the shaders that draw lines on an actor whose mapper has the attribute `strokeWay`. All lines are drawn at the

@@ -19,7 +19,8 @@ public:
     DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent = nullptr);
 
     bool isOn() const { return on_; }
-    /// True: the canvas shows the drawing and follows its changes. False: the canvas is available to other views.
+    /// True: the canvas shows the drawing, which is updated whenever the document changes. False: the canvas is left to
+    /// other views.
     void setOn(bool on);
 
 Q_SIGNALS:

@@ -32,7 +32,8 @@ void addViewCommands(Commands& commands, Themes& themes, Display& display);
 /// \param edits `Ask`, or `Settled` if the user has been asked about unsaved edits already
 void openDocument(Document& document, const QString& path, QWidget& window, UnsavedEdits edits = UnsavedEdits::Ask);
 
-/// True if the document has no unsaved edits, or the user saves or discards them. Asks the user if necessary.
+/// Asks the user what to do with unsaved edits, if there are any. Returns false only if the user cancels or saving
+/// fails.
 bool mayDiscard(Document& document, QWidget& window);
 
 }  // namespace keyblock

@@ -27,7 +27,7 @@ private:
     std::function<void(const QString&)> open_;
 };
 
-/// The first of the dropped files that can be opened; empty if there is none.
+/// Path of the first dropped file that can be opened; empty if there is none.
 QString openableFile(const QMimeData& dropped);
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@ class RecentFiles;
 
 /// Adds "Open recent" below Open, and "About" at the end of the Help menu.
 /// \param open called with the path of the chosen scene
-/// \pre the menus have been filled.
+/// \pre `fillMenus` has been called.
 void addToMenus(QMainWindow& window, const RecentFiles& recent, std::function<void(const QString&)> open);
 
 }  // namespace keyblock

@@ -15,7 +15,7 @@ class Themes;
 
 void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes);
 
-/// True if the file can be imported as a drawing or a list, judging by its extension.
+/// True if the extension of the file is that of a drawing (.dxf) or a list (.csv), both of which can be imported.
 bool isDrawing(const QString& path);
 
 /// Opens the import preview for a drawing. The document changes only when the user confirms.

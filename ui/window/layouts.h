@@ -31,7 +31,7 @@ public:
 
     /// Restores the layout that the window had when it was last closed, or the default layout if none was saved.
     void begin();
-    /// Shows the docks in the layout that was last used for this arrangement.
+    /// Switches to this arrangement, and restores the docks as they were when it was last used.
     void show(Arrangement arrangement);
     /// Saves both arrangements for the next start.
     void keep();

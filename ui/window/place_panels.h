@@ -49,7 +49,7 @@ struct Panels {
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
 
-/// Connects the workflow bar: a click on a step brings the dock for this step to the front.
+/// Connects the workflow bar: a click on Support or Stages brings the bolt library or the Stages dock to the front.
 void raiseAskedPanels(WorkflowBar& bar, const Panels& panels);
 
 }  // namespace keyblock

@@ -41,7 +41,7 @@ public:
     /// Adds the probe command. \param tell shows a message to the user.
     ProbeBinding(const ProbeNeeds& needs, std::function<void(const QString&)> tell, QObject* parent);
 
-    /// Ends the probe because another tool was chosen or results are no longer shown.
+    /// Ends the probe. To be called when another tool is chosen or results are no longer shown.
     void end();
 
     /// Pins a point of the section, so that the Curves dock shows its values over time.

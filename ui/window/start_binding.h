@@ -13,15 +13,16 @@ namespace keyblock {
 
 class Themes;
 
-/// Creates the start page over the window and adds its command. \pre the commands of its buttons have been added.
+/// Creates the start page, which covers the window, and adds the command that shows it.
+/// \pre the commands that the buttons of the page run have been added.
 StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms);
 
-/// Start-up without a file: shows the start page unless the user has disabled it; shows it in any case if a scene can
-/// be recovered.
+/// To be called at start-up without a file. Shows the start page if the user has not disabled it, or if a scene can be
+/// recovered.
 void beginWithStartPage(StartPage& page);
 
-/// Start-up with a file: the start page is not shown; if scenes can be recovered, a bar over `canvas` says so and
-/// offers to open the start page.
+/// To be called at start-up with a file. Does not show the start page. If scenes can be recovered, a bar over `canvas`
+/// says so and offers to open the start page.
 void tellAbandoned(StartPage& page, const Themes& themes, QWidget* canvas);
 
 }  // namespace keyblock

@@ -21,7 +21,7 @@ enum class WorkState { Nothing, NotYet, Done, Warning, Error, Running };  // Not
 
 using WorkStates = std::array<WorkState, workSteps>;
 
-/// The workflow step to which a problem at this JSON pointer belongs.
+/// The workflow step to which a problem belongs. \param pointer JSON pointer to the part of the scene with the problem.
 WorkStep stepOf(const std::string& pointer);
 
 /// States of the first four steps. The states of Run and Results depend on the runs and are set elsewhere.

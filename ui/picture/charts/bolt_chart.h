@@ -32,8 +32,8 @@ struct BoltChart {
     std::vector<Envelope> envelopes;  // one for each panel with an envelope
 };
 
-/// Largest and smallest values along a bolt in all frames added. They determine which panels are shown and the ranges
-/// of the axes, so that panels and axes stay the same from frame to frame.
+/// Largest and smallest values along one bolt over all frames added. They determine which panels a diagram shows and
+/// the ranges of its axes, so that both stay the same from frame to frame.
 class BoltReach {
 public:
     explicit BoltReach(int bolt) : bolt_(bolt) {}
@@ -54,17 +54,18 @@ private:
     double largestForce_ = 0.0;
 };
 
-/// Diagram of the bolt `reach.bolt()` at one frame. The axis ranges cover `reach` and this frame. Envelopes are left
-/// out, and no other frame is read.
+/// Diagram, without envelopes, of the bolt `reach.bolt()` at one frame. The axis ranges cover the values in `reach` and
+/// in this frame. No other frame is read.
 /// \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach);
 
-/// Diagram of a bolt at one frame, with envelopes. Reads all frames up to this one. \pre the frame contains the bolt.
+/// Diagram, with envelopes, of the bolt with index `bolt` at one frame. Reads all frames up to this one.
+/// \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);
 
 /// Index of the bolt with the largest axial force in the run up to the frame; −1 if there is none.
-/// \param held the previous choice. It is kept until another bolt has carried more than 1.5 times its force, so that
-/// the diagram of a run in progress does not jump between bolts.
+/// \param held index returned for the previous frame; −1: none. This bolt is returned again unless the largest force of
+/// another bolt is more than 1.5 times as large, so that the diagram of a run in progress does not jump between bolts.
 int mostLoadedBolt(const Frame& frame, int held = -1);
 
 }  // namespace keyblock

@@ -17,7 +17,7 @@ enum class BoltCondition {
     NotInstalled, Intact, PartlyDebonded, Debonded, Yielded, PlateLost, Ruptured, PulledOut, Lost
 };
 
-/// Text of a condition: "not installed", "intact", …, "lost".
+/// A condition in words, such as "not installed", "intact" or "lost".
 std::string_view wordOf(BoltCondition condition);
 
 struct BoltReport {

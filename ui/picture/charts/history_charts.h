@@ -23,9 +23,9 @@ struct HistoryCharts {
     std::vector<Problem> references;  // columns that no panel shows; an error if a table has no others
 };
 
-/// Charts of the requested series or, if none is requested, of the whole run. A panel shows at most four curves;
-/// further curves are shown in additional panels below.
-/// \param asked name of a monitor, NAME.ux, NAME.uy, any other name from `allSeries`, or `Y over X`.
+/// Charts of the series that `asked` names. If `asked` is null, the default charts of the run: monitors, debonded
+/// lengths and energies. A panel shows at most four curves; further curves are shown in additional panels below.
+/// \param asked name of a monitor, any name from `allSeries`, or two such names as `Y over X`, which plots Y against X.
 /// \param references measured or published curves, which are added to the matching panels.
 HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked,
                             const std::vector<ReferenceTable>& references = {});

@@ -22,14 +22,17 @@ struct Series {
     const FrameQuantity<Energy>* energy = nullptr;  // if not null, values are taken from the frames instead of a column
 };
 
-/// Series of all monitors of the scene. Their names are NAME or, for a monitored point, NAME.ux and NAME.uy.
+/// Series of all monitors of the scene. A monitored point NAME gives two series, NAME.ux and NAME.uy; any other monitor
+/// gives one series with its own name.
 std::vector<Series> monitorSeries(const Scene& scene);
 
-/// All series of a run: first the monitors, then BOLT.QUANTITY for every bolt, then energy.NAME.
+/// All series of a run: first those of the monitors, then those of each bolt (named BOLT.QUANTITY), then the energies
+/// (named energy.NAME).
 std::vector<Series> allSeries(const RunSource& run);
 
-/// Values at each row of the history or, if frames are given, at each frame. The value at a frame is taken from the
-/// last history row not later than the frame (NaN if there is none); energies are taken from the frame itself.
+/// One value per row of the history or, if frames are given, per frame, in the display unit. The value at a frame is
+/// taken from the last history row that is not later than the frame; it is NaN if there is no such row. Energies are
+/// taken from the frames themselves.
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows);
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows,
                              const std::vector<FrameHead>& frames);

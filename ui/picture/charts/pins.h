@@ -35,18 +35,18 @@ struct Pin {
 
 /// Creates a pin on the picked object at `place` [m, as drawn].
 /// \param ofBlock quantity read at a pin on a block. \param ofBolt quantity read at a pin on a bolt.
-/// \pre the quantity for the kind of object that was picked is not null.
+/// \pre `ofBlock` is not null if a block was picked; otherwise `ofBolt` is not null.
 Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, const FrameQuantity<BlockState>* ofBlock,
           const FrameQuantity<BoltNodeFrame>* ofBolt);
 
-/// Position of a pin as drawn [m]; null if its block or bolt does not exist at this time.
+/// Position of a pin as drawn in `picture` [m]; null if the picture does not contain the pin's block or bolt.
 std::optional<Point> placeOf(const Pin& pin, const SectionPicture& picture);
 
 /// Position of a pin at the start of the run [m]. \param before initial corners of the solved blocks, from
 /// `cornersBefore`. \pre the pin is on a block.
 Point placeBefore(const Pin& pin, const std::vector<std::vector<Point>>& before);
 
-/// Value of a pin in each frame. Displacements refer to the pinned point, not to the block's centroid.
+/// Values of a pin, one for each frame. A displacement is that of the pinned point, not of the block's centroid.
 class PinTrack {
 public:
     explicit PinTrack(Pin pin) : pin_(std::move(pin)) {}
@@ -55,7 +55,7 @@ public:
     /// Appends the value of the pin in this frame. \pre frames are added in chronological order.
     void add(const Frame& frame);
     std::size_t frames() const { return values_.size(); }
-    /// One value per frame in the display unit; NaN if the block or bolt did not exist.
+    /// One value per frame added, in the display unit; NaN if the block or bolt does not exist in that frame.
     const std::vector<double>& values() const { return values_; }
 
 private:

@@ -26,7 +26,8 @@ public:
     /// include them.
     void place(Chart& chart);
 
-    /// Warnings about columns that matched no chart; an error for a table without a matching column.
+    /// One problem for each table with columns that no panel shows: an error if no panel shows any of its columns,
+    /// otherwise a warning.
     std::vector<Problem> problems() const;
 
 private:

@@ -21,15 +21,15 @@ inline constexpr std::array<CurveStyle, mostCurves> curveStyles{CurveStyle::Main
 /// True if an event concerns a bolt and is important enough to be marked on charts.
 bool isOfBolts(const Event& event);
 
-/// A chart without panels, with the time axis of the run, its stages and the bolt events.
+/// A chart without panels: it has only the time axis of the run, the stages, and the events of bolts.
 Chart chartOverTime(const RunTime& time, const std::vector<Event>& events);
 
 /// Adds a curve to a panel, split into pieces at missing (non-finite) values. Only the last piece carries the name.
 void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, const std::vector<double>& x,
               const std::vector<double>& y);
 
-/// Completes a chart: sets the ranges of its panels and merges events that are too close together to be drawn
-/// separately. Returns false if there is nothing to draw.
+/// Completes a chart: sets the ranges of its panels, and merges events that are too close together to be drawn
+/// separately. Returns false if the chart has nothing to show.
 bool finishChart(Chart& chart);
 
 }  // namespace keyblock

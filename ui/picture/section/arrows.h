@@ -18,8 +18,8 @@ namespace keyblock {
 
 enum class ArrowKind { StressCrosses, Displacements, Velocities };
 
-/// The kind for a word typed by the user: stress-crosses, displacement-arrows or velocity-arrows; null for any other
-/// word.
+/// The kind named by a word that the user typed: stress-crosses, displacement-arrows or velocity-arrows. Null for any
+/// other word.
 std::optional<ArrowKind> arrowKindOf(std::string_view word);
 
 /// The words that `arrowKindOf` accepts, in the order of `ArrowKind`.
@@ -27,7 +27,7 @@ std::span<const std::string_view> arrowWords();
 
 enum class ArrowShape { Arrow, Compression, Tension };
 
-/// One vector of a field: a bar centred at its position, or an arrow that starts there.
+/// One vector of a field: an arrow that starts at `place`, or one bar of a stress cross, centred at `place`.
 struct ArrowMark {
     ArrowShape shape = ArrowShape::Arrow;
     Point place{0.0, 0.0};  // [m]

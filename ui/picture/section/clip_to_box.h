@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// The part of a polygon inside the box. If a non-convex polygon is divided into several pieces, they may be connected
-/// along the sides of the box.
+/// The part of a polygon inside the box; empty if there is none. If the box divides a non-convex polygon into several
+/// pieces, the result may connect them along the sides of the box.
 std::vector<Point> clippedToBox(std::vector<Point> polygon, const Box& box);
 
 /// The part of the segment from `a` to `b` inside the box; null if the segment misses the box.

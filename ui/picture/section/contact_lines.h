@@ -16,11 +16,11 @@
 
 namespace keyblock {
 
-/// Word that requests the display of contact forces.
+/// Word that the user types to show contact forces.
 inline constexpr std::string_view contactWord = "contact-forces";
 
-/// State of a contact that carries a force; open contacts carry none and have no line. `Pulled` is a bonded contact in
-/// tension.
+/// State of a contact that carries a force. Open contacts carry no force, so they have no line. `Pulled` is a bonded
+/// contact in tension.
 enum class ContactKind { Locked, Sliding, Bonded, Pulled };
 
 struct ContactLine {
@@ -46,24 +46,25 @@ struct ContactField {
     std::vector<std::string> notes;
 };
 
-/// The line for a contact, at the current position of the contact.
+/// The line for a contact, placed at the actual position of the contact.
 ContactLine contactLine(const ContactFrame& contact);
 
-/// Updates the scale, except `longest` and `spacing`, with the contact forces of a frame.
-/// \param sizes list to which the magnitudes of these forces are appended.
+/// Updates `scale.largest` and `scale.kinds` with the contact forces of a frame.
+/// \param sizes list to which the magnitudes of these forces are appended, in the display unit.
 void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes);
 
-/// Value of `ContactScale::longest` for forces with these magnitudes; 0 if there are no forces. It is the smallest
-/// magnitude such that all larger forces add up to at most 2 % of the sum of all forces, rounded up to a round number.
+/// Value of `ContactScale::longest` for forces with the magnitudes `sizes`; 0 if there are no forces. The value is the
+/// smallest magnitude such that all larger ones add up to at most 2 % of the total, rounded up to a round number.
 double longestOf(std::vector<double> sizes);
 
 // Lengths and widths on paper [mm].
 
-/// Length of the longest line if the average width of a block on paper is `block`. It has a lower and an upper limit,
-/// so that the line is longer than a dot and shorter than half the figure.
+/// Length of the longest line, which depends on the average width `block` of a block on paper. The length is limited so
+/// that the line is longer than a dot and shorter than half the figure.
 double longestContactLine(double block);
 
-/// Length and width of the line for a force. \param longest length of the longest line.
+/// Length and width of the line for a force of magnitude `force` [display unit]. \param longest length of the longest
+/// line.
 double contactLength(const ContactScale& scale, double force, double longest);
 double contactWidth(const ContactScale& scale, double force, double longest);
 
@@ -71,8 +72,8 @@ double contactWidth(const ContactScale& scale, double force, double longest);
 /// \param places positions of the contacts as drawn [m], one for each contact of the frame, in the same order.
 ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places);
 
-/// The lines within a window. Forces too small to be visible are omitted, and the lines are thinned out if there are
-/// very many; a note reports how many are drawn.
+/// The lines of the contacts within `window` [m]. Forces too small to be visible are omitted. If there are very many
+/// lines, they are thinned out, and a note says how many are drawn.
 ContactField seenWithin(const ContactField& field, const Box& window);
 
 }  // namespace keyblock

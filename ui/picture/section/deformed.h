@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Initial corners of all solved blocks [m], in the order of the blocks and corners of a frame.
+/// Initial corners of all solved blocks [m]. Blocks and corners have the same order as in a frame.
 std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved);
 
 /// Corners with scaled displacements: before + factor · (now − before). \pre `before` and `now` have the same number of
@@ -23,7 +23,8 @@ std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<
 /// \param now actual corners of the block. \param drawn its corners as drawn.
 Point carriedAlong(const Point& place, const std::vector<Point>& now, const std::vector<Point>& drawn);
 
-/// Nodes of a bolt as drawn [m], displaced from their initial positions on the straight bolt of the scene.
+/// Positions of a bolt's nodes as drawn [m]. The displacement of each node from its initial position on the straight
+/// bolt of the scene is multiplied by `factor`.
 std::vector<Point> deformedNodes(const Bolt& bolt, const BoltFrame& frame, double factor);
 
 }  // namespace keyblock

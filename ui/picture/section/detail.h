@@ -25,34 +25,36 @@ struct DetailSizes {
 
 bool isArtificial(MarkKind kind);
 
-/// Unit vector from the first node to the last; the x direction if they coincide.
+/// Unit vector from the first of `nodes` to the last; the x direction if the two coincide.
 Point alongOf(const std::vector<Point>& nodes);
 
-/// True if the ends of two bolts are within `apart` [m] of each other, so that the bolts cannot be drawn separately.
+/// True if both ends of one bolt are within `apart` [m] of those of the other, so that they cannot be drawn separately.
 bool coincide(const BoltShape& a, const BoltShape& b, double apart);
 
-/// Distance from the head of each bolt to the nearest other bolt, in drawing units; a very large number if there is no
-/// other bolt. Coinciding bolts are ignored. \param scale drawing units per metre.
+/// For each bolt of the picture, the distance from its head to the nearest other bolt, in drawing units. A bolt that
+/// coincides with this one is ignored. If there is no other bolt, the value is very large.
+/// \param scale drawing units per metre.
 std::vector<double> boltSpacing(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
-/// Distance from the midpoint of a bolt to the nearest other bolt [m]; 1e9 if there is none. Bolts that coincide within
-/// `apart` [m] are ignored. \param shape index of the bolt in the picture.
+/// Distance from the midpoint of a bolt to the nearest other bolt [m]; 1e9 if there is no other bolt. Bolts that
+/// coincide with this one within `apart` [m] are ignored. \param shape index into `picture.bolts`.
 double middleSpacing(const SectionPicture& picture, std::size_t shape, double apart);
 
-/// The marks that are drawn on a bolt, with the most important ones last. \param spacing value from `boltSpacing` for
-/// this bolt.
+/// The marks to draw on a bolt, in ascending order of importance.
+/// \param spacing value of `boltSpacing` for this bolt. \param scale drawing units per metre.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes);
 
-/// Order of the marks in the key of a figure.
+/// Order in which the key of a figure lists the kinds of marks.
 inline constexpr std::array keyOrder{MarkKind::Bonded,   MarkKind::Artificial, MarkKind::Slipping,
                                      MarkKind::Gone,     MarkKind::Ruptured,   MarkKind::Yielded,
                                      MarkKind::InGap,    MarkKind::Plate,      MarkKind::PlateLost};
 
-/// The kinds that occur among the marks of all bolts, each once, in the order of the key.
+/// The kinds of marks that occur on any bolt, each listed once, in the order of the key.
+/// \param marks for each bolt, the list of its marks.
 std::vector<MarkKind> kindsOf(const std::vector<std::vector<Mark>>& marks);
 
-/// Blocks that have moved far enough for their initial outline to be drawn too. Empty if there are more than three such
-/// blocks and they make up more than a tenth of all blocks.
+/// Blocks that have moved far enough for their initial outlines to be drawn too. Empty if there are more than three
+/// such blocks and they make up more than a tenth of all blocks. \param scale drawing units per metre.
 std::vector<const BlockShape*> movedBlocks(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
 }  // namespace keyblock

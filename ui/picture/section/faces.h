@@ -23,9 +23,9 @@ struct FacePiece {
     double from = 0.0, to = 1.0;
 };
 
-/// Pieces of all block edges, sorted by block, edge and position.
-/// \param corners corners of the blocks [m], from `cornersBefore`.
-/// \param present one flag per block: non-zero if the block is present.
+/// Pieces of all edges of the blocks that are present, sorted by block, then by edge, then by position along the edge.
+/// \param corners initial corners of the solved blocks [m], from `cornersBefore`.
+/// \param present one flag for each solved block: non-zero if the block is present.
 std::vector<FacePiece> facePieces(const Scene& scene, const SolvedBlocks& solved,
                                   const std::vector<std::vector<Point>>& corners, const std::vector<char>& present);
 

@@ -33,10 +33,10 @@ struct LegendBar {
     std::optional<ValueRange> now;  // range of the frame shown, in the display unit
     std::vector<std::pair<double, std::string>> limits;  // capacities within the range, with their names
 
-    /// Colour of a value, on a light or a dark background.
+    /// Colour of the value `shown` [display unit] on a light or a dark background.
     Colour colourOf(double shown, bool dark = false) const;
-    /// Colours along the bar, each with its position as a fraction of the range. At a colour step, two colours have the
-    /// same position.
+    /// Positions along the bar, as fractions of the range, and their colours. A position at which the colour jumps is
+    /// listed twice, with the colours on both sides.
     std::vector<std::pair<double, Colour>> stops(bool dark) const;
     /// True if a bolt element with this value is drawn as a dashed line.
     bool isDashed(double shown) const;
@@ -48,7 +48,8 @@ struct LegendBar {
     double shareOf(double shown) const { return (shown - range.low) / (range.high - range.low); }
 };
 
-/// Legends for the blocks and bolts of a section; null if the quantity has no values in any frame.
+/// Legends for the blocks and the bolts of a section, and the scale of its contact forces. A legend is null if no
+/// quantity is shown or the quantity has no values in any frame; the scale is null if contact forces are not shown.
 struct SectionLegends {
     std::optional<LegendBar> blocks, bolts;
     std::optional<ContactScale> contacts;

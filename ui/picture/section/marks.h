@@ -31,8 +31,9 @@ struct Mark {
 std::vector<Mark> marksOf(const Bolt& bolt, int index, const BoltFrame& frame, const std::vector<Point>& nodes,
                           std::span<const Event> events);
 
-/// The marks thinned out to a distance of at least `least` [m]; bonded and intermediate nodes are dropped first. A mark
-/// of a failure is dropped only if a mark of the same kind is closer than 0.6 times `least`.
+/// The marks, thinned out where they are close together, in ascending order of importance. The mark of a bonded or
+/// intermediate node is dropped if another mark that is drawn is closer than `least` [m]. Any other mark is dropped
+/// only if a mark of the same kind is closer than 0.6 times `least`.
 std::vector<Mark> thinned(std::vector<Mark> marks, double least);
 
 }  // namespace keyblock

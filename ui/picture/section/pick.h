@@ -27,8 +27,9 @@ class PickIndex {
 public:
     explicit PickIndex(std::shared_ptr<const SectionPicture> picture);
 
-    /// The nearest bolt within `reach` [m] of the point, or its nearest node if that is within `reach`. If there is no
-    /// such bolt, the block that contains the point; if blocks overlap, the one drawn last.
+    /// The object at the point. This is the nearest bolt within `reach` [m], or the nearest node of this bolt if it is
+    /// also within `reach`. If there is no such bolt, it is the block that contains the point; if several do, the one
+    /// drawn last. Null if there is no object.
     std::optional<Pick> at(const Point& place, double reach) const;
 
 private:

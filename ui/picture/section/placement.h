@@ -26,13 +26,13 @@ public:
 
     bool isFree(const Box& box) const;
 
-    /// Places a box of `size` at the first candidate centre where it fits, and keeps later labels off it; null if it
-    /// fits nowhere.
+    /// Places a box of the given size at the first of the candidate centres where it fits, and keeps later labels off
+    /// the box. Null if the box fits at none of them.
     std::optional<Box> place(const Point& size, const std::vector<Point>& centres);
 
-    /// Places a box around the point `at`, at increasing distances and starting in the direction `first`; null if it
-    /// fits nowhere nearby. The leader from the box to the point crosses no box or line given to `keepOff`, except near
-    /// the point.
+    /// Places a box near the point `at`, at the first free position. Positions are tried at increasing distances from
+    /// the point; at each distance, all directions are tried, starting with `first`. Null if there is no free position
+    /// nearby. The leader from the box to the point crosses no box or line given to `keepOff`, except near the point.
     std::optional<Box> placeRound(const Point& size, const Point& at, const Point& first);
 
 private:

@@ -17,8 +17,8 @@ struct ProbeReading {
     std::vector<std::pair<std::string, std::string>> rows;  // name, and value with its unit
 };
 
-/// Values of the picked object in the displayed frame, with the units and sign conventions of the section. For a block,
-/// the peak value to date is added if it clearly exceeds the current value.
+/// Values of the picked object in `frame`, with the units and sign conventions of `picture`. For a block, the peak
+/// value to date is added if it clearly exceeds the current value.
 /// \param blocksFirst quantity listed first for a block; null: none.
 /// \param boltsFirst quantity listed first for a bolt; null: none.
 ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pick& pick,

@@ -88,7 +88,7 @@ struct SectionPicture {
     std::string title, subtitle;
 };
 
-/// Drawing data of the requested section. \pre `request.frame` is null or a frame of the run.
+/// Drawing data of the requested section. \pre `request.frame` is null or the index of a frame of the run.
 SectionPicture sectionPicture(const RunSource& run, const SectionRequest& request);
 
 }  // namespace keyblock

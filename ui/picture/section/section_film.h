@@ -16,12 +16,12 @@ namespace keyblock {
 
 class SectionFilm {
 public:
-    /// Prepares the sections at these frames of the run, in this order. Reads all frames of the run.
-    /// \pre `frames` is not empty.
+    /// Prepares one section for each of `frames`, in this order. Reads all frames of the run.
+    /// \param frames indices of frames of the run. \pre `frames` is not empty.
     SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames);
 
     std::size_t size() const { return frames_.size(); }
-    /// Index, within the run, of the frame that the section with index `picture` shows.
+    /// Index, among all frames of the run, of the frame that section number `picture` shows (counted from 0).
     std::size_t frame(std::size_t picture) const { return frames_[picture]; }
     SectionPicture picture(std::size_t index) const;
 

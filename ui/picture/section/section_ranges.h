@@ -11,19 +11,19 @@ namespace keyblock {
 /// Legends that are updated frame by frame while a run is in progress.
 class SectionRanges {
 public:
-    /// Legends for the quantities of a request. \param scene the scene as solved.
+    /// Creates empty legends for the quantities in `request`. \param scene the scene as solved, i.e. cut into blocks.
     SectionRanges(const Scene& scene, const SectionRequest& request);
 
     void add(const Frame& frame);
     /// Number of frames whose values are stored.
     std::size_t frames() const { return frames_.size(); }
-    /// Discards the stored values of every second frame to save memory. The largest and smallest values of all frames
-    /// are kept.
+    /// Discards the stored values of every second frame to save memory. The legends still cover the largest and
+    /// smallest values of all frames.
     void dropEverySecond();
 
     /// Legends for all frames added so far.
-    /// \param scales colour ranges chosen by the user. A range that covers a single frame or was typed by the user is
-    /// applied later, by `withNow`.
+    /// \param scales the user's choices of colour ranges. Only the choice to exclude extreme values is applied here; a
+    /// range of a single frame and a range typed by the user are applied by `withNow`.
     SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:
@@ -48,12 +48,12 @@ private:
 /// Legends for a request; reads all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The legends completed for one frame: the colour ranges chosen in the request are applied and, if the frame has
-/// values, a note on these values is added.
+/// The legends completed for one frame. The colour ranges that the user has chosen (`request.scales`) are applied. If
+/// the frame has values, a note with their range is added.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
-/// Yield force and ultimate force of a bolt's steel with their names, in the display unit of the quantity; empty for
-/// quantities other than the axial force.
+/// Yield force and ultimate force of a bolt's steel, in the display unit of the quantity, each with its name. Empty if
+/// the quantity is not the axial force.
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity);
 

@@ -28,15 +28,16 @@ struct ShownAs {
     double factor = 1.0;
 };
 
-/// How a quantity with the given engineering unit (`MPa`, `kN per bolt`) and sign convention is displayed.
+/// How a quantity is displayed. \param unit its engineering unit, such as `MPa` or `kN per bolt`. \param convention its
+/// sign convention.
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers);
 
-/// The value, or 0 if its magnitude is within the round-off of values in this unit (an engineering unit or an SI base
-/// unit).
+/// `value`, or 0 if its magnitude is so small that it may be due to round-off alone. \param unit engineering unit or SI
+/// base unit of the value.
 double withoutRoundOff(double value, std::string_view unit);
 
-/// Conversion factor from the unit at the end of a title, such as `Axial force (kN)`, to the displayed unit; 1 if the
-/// two units are the same.
+/// Conversion factor from the unit at the end of a title such as `Axial force (kN)` to the unit that is displayed; 1 if
+/// both units are the same.
 double factorOf(std::string title, const ShownNumbers& numbers);
 
 /// Converts the units in a title, e.g. from `Axial force (kN) against joint opening (mm)` to `… (N) against … (m)`.

@@ -24,8 +24,8 @@ struct TickRoom {
     std::function<double(const std::string&)> widthOf;
 };
 
-/// All ticks if there is room for their labels; otherwise every second tick, every third tick, and so on, until the
-/// labels fit. The tick at zero is always included.
+/// Labels of all ticks if they fit. Otherwise labels of every second tick only, or of every third, and so on, until
+/// they fit. The tick at zero is always labelled.
 std::vector<TickLabel> tickLabels(const LegendBar& bar, const TickRoom& room);
 
 }  // namespace keyblock
