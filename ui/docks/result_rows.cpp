@@ -33,7 +33,7 @@ QString percent(double share) {
     return Display::number(shown, shown < 9.95 ? 2 : 3) + QStringLiteral(" %");
 }
 
-QString timeText(const Scene& scene, int stage, double time) {
+QString whenText(const Scene& scene, int stage, double time) {
     const QString name = QString::fromStdString(stageName(scene, stage));
     const bool moves = scene.stages[stage].kind == StageKind::Dynamic;
     return moves ? ResultTexts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
@@ -60,13 +60,13 @@ struct RowMaker {
         if (peak.stage < 0 || std::abs(peak.value) < noForce * std::abs(axial)) return add(name, QStringLiteral("0"));
         rows.push_back({name, shown(peak.value, quantity.unit, quantity.factor),
                         ResultTexts::tr("at %1 m, %2")
-                            .arg(Display::number(peak.at, 3), timeText(run.scene(), peak.stage, peak.time))});
+                            .arg(Display::number(peak.at, 3), whenText(run.scene(), peak.stage, peak.time))});
     }
 
     void use(const QString& name, const BoltPeak& peak) {
         if (peak.value < 0.0) return;  // no such strength
         ResultRow row{name, percent(peak.value)};
-        if (peak.stage >= 0 && peak.value >= leastUse) row.detail = timeText(run.scene(), peak.stage, peak.time);
+        if (peak.stage >= 0 && peak.value >= leastUse) row.detail = whenText(run.scene(), peak.stage, peak.time);
         row.use = peak.value;
         rows.push_back(std::move(row));
     }
@@ -85,7 +85,7 @@ struct RowMaker {
         if (!found || !peak) return;
         const QuantityDisplay& display = found->display;
         rows.push_back({name, shown(peak->value, display.unit, display.factor, display.convention),
-                        timeText(run.scene(), peak->stage, peak->time)});
+                        whenText(run.scene(), peak->stage, peak->time)});
     }
 
     void energy(const BoltFrame& bolt) {
@@ -100,7 +100,7 @@ struct RowMaker {
 std::vector<ResultEvent> eventsOf(const RunSource& run, const std::vector<Event>& events) {
     std::vector<ResultEvent> list;
     for (const EventEntry& entry : eventList(run, events, mostEvents).entries) {
-        ResultEvent shown{timeText(run.scene(), entry.stage, entry.time), QString::fromStdString(entry.what), {}};
+        ResultEvent shown{whenText(run.scene(), entry.stage, entry.time), QString::fromStdString(entry.what), {}};
         const auto first = std::ranges::find_if(events, [&](const Event& event) {
             return event.kind == entry.kind && event.stage == entry.stage && event.time == entry.time;
         });

@@ -7,6 +7,7 @@
 #include "ui/look/plain_text.h"
 #include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
+#include "ui/picture/captions.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
@@ -244,9 +245,9 @@ QString StabilityPanel::energyText(double joules) const {
 
 QString StabilityPanel::whenText(const BoltPeak& peak) const {
     if (peak.stage < 0) return {};
-    const QString stage = QString::fromStdString(stageTitle(run_->scene(), peak.stage));
-    return asTip(tr("Reached in %1 at t = %2; position measured from the far end")
-                     .arg(stage, Display::number(peak.time, 4)));
+    const QString stage = qt(stageTitle(run_->scene(), peak.stage));
+    const QString time = qt(timeText(run_->scene(), peak.stage, peak.time));
+    return asTip(tr("Reached in %1 at t = %2; position measured from the far end").arg(stage, time));
 }
 
 QString StabilityPanel::namesOf(const std::vector<int>& blocks) const {
