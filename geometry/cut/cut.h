@@ -72,7 +72,7 @@ enum class CutNoteKind {
     DroppedNotFinite,  // a coordinate of the trace or domain is not a number below 1e100; measure: 0
     DroppedDomain,  // the domain has no area; source: its id; measure: 0
     MergedSliver,  // a face below a limit was merged; source: of the longest edge removed; measure: its area [m²]
-    MergedUnsound,  // as MergedSliver, for a face that would cross itself after rounding of its corners
+    MergedUnsound,  // as MergedSliver, for a face that would cross itself because of the round-off of its corners
     KeptSliver,  // a face below a limit has no neighbour in its domain; source: border; measure: its area [m²]
 };
 
@@ -94,8 +94,8 @@ struct Cut {
 
 /// Cuts domains by traces. The tolerance used is at least 64 units in the last place of the coordinates and at most a
 /// hundredth of the size (see CutSettings). Traces are trimmed at the boundary without a note. Blocks tile their
-/// domains except for the rounding of corners, which is about 1e-15 of the size, or one unit in the last place of the
-/// coordinates if that is coarser. Invalid domains also give a defined result: the interior of an outline that crosses
+/// domains except for the round-off of corner coordinates, which is about 1e-15 of the size, or one unit in the last
+/// place of the coordinates if that is coarser. Invalid domains also give a defined result: the interior of an outline that crosses
 /// itself is determined by the even-odd rule, and where domains overlap, the one with the lower id takes precedence.
 /// Traces and domains with coordinates that are not finite are reported and omitted.
 /// \pre source numbers are not negative.

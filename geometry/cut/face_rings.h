@@ -23,8 +23,8 @@ struct TracedBlock {
     double perimeter = 0.0;  // including the holes [m]
 };
 
-/// Blocks of one group: usually one; none if rounding of the corners reduces the group to nothing; several if it splits
-/// the group at a vertex.
+/// Blocks of one group: usually one; none if round-off of the corner coordinates reduces the group to nothing; several
+/// if it splits the group at a vertex.
 struct TracedGroup {
     std::vector<TracedBlock> blocks;
     bool sound = false;  // edges of a block meet only at common vertices, and holes lie inside it

@@ -42,9 +42,9 @@ public:
     ///        blocks joined to them directly or through other blocks that are not fixed, are not judged.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// Unstable blocks of a collapse. `blocks` come first, in the given order. They are followed, with
-    /// `Movement::Follows`, by `followers` and every other block that the collapse has moved by more than a twentieth
-    /// of the block's size, even if the block is at rest again.
+    /// Unstable blocks of a collapse. `blocks` come first, in the given order. After them come `followers` and every
+    /// other block that the collapse has moved by more than a twentieth of the block's size, even if the block is at
+    /// rest again; their movement is `Movement::Follows`.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
     /// Blocks that came to rest after a displacement of more than `share` times their size (centroid to farthest

@@ -375,8 +375,8 @@ struct Anchor {
     BoltPlace to{true, 0.0};
     Per per = Per::Length;  // entries with `at` are always per node
     AnchorLaw law = AnchorLaw::Elastic;
-    double stiffness = 0.0;  // [N/m] per node, or [N/m per m] per length
-    std::optional<double> strength;  // [N] per node, or [N/m] per length; null: unlimited (elastic)
+    double stiffness = 0.0;  // [N/m] per node, or [N/m per m] per unit length
+    std::optional<double> strength;  // [N] per node, or [N/m] per unit length; null: unlimited (elastic)
     double residual = 0.0;  // [N] or [N/m]; peak–residual law only
     double softeningSlip = 0.0;  // [m] from peak to residual strength; peak–residual law only; 0: brittle
     double frictionAngle = 0.0;  // [°]; strength and residual increase by its tangent times the normal spring force

@@ -40,7 +40,7 @@ Scene shearLag(int perSide) {
     return scene;
 }
 
-/// The same bond, given per length. The load is only 2 kN, so that the length that slips out of the hole is negligible.
+/// The same bond, given per unit length. The load is only 2 kN, so that the length that slips out of the hole is negligible.
 Scene plateLag(int divisions, PlateKind plate) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);

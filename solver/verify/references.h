@@ -112,7 +112,7 @@ inline constexpr std::array<ShearLagReference, 3> shearLagReferences{{
 }};
 
 /// Reference values for a load of 2 kN: joint opening without and with a rigid plate, and the plate force. The bond is
-/// that of `ShearLagReference`, but its stiffness is given per length.
+/// that of `ShearLagReference`, but its stiffness is given per unit length.
 struct PlateLagReference {
     int divisions;
     double openingWithout, openingWith, plate;  // [m], [m], [N]

@@ -59,7 +59,7 @@ BoltType linearType(double area, double youngsModulus);
 BoltType steelType(double area, const Table& steel);
 
 /// Anchors with the same bond law along the whole bolt.
-/// \param per whether stiffness, strength and residual strength are given per node or per length.
+/// \param per whether stiffness, strength and residual strength are given per node or per unit length.
 Anchor anchorRange(Per per, AnchorLaw law, double stiffness, std::optional<double> strength, double residual);
 
 /// An anchor at the node whose distance from the far end is closest to `s` [m]. \param stiffness bond stiffness [N/m].

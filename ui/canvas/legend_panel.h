@@ -21,7 +21,7 @@ namespace keyblock {
 
 struct Theme;
 
-/// Quantities whose colour scale the user can change.
+/// Parts of the legend whose colour scale the user can change.
 enum class LegendPart { Blocks, Bolts };
 
 struct LegendContent {

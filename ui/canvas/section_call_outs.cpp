@@ -125,9 +125,9 @@ void SectionPainter::callOutEvents() {
         CallOut callOut;
         callOut.head = qt(entry->subject) + ' ' + qt(entry->what);
         const bool bore = entry->bolt >= 0 && entry->force > leastForce;
-        callOut.detail = bore ? CallOutTexts::tr("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)),
+        callOut.detail = bore ? CallOutTexts::tr("%1 at t = %2").arg(qt(forceText(entry->force, picture_.numbers)),
                                                                qt(entry->when))
-                              : CallOutTexts::tr("at %1").arg(qt(entry->when));
+                              : CallOutTexts::tr("at t = %1").arg(qt(entry->when));
         callOut.edge = theme_.error;
         callOut.at = at;
         callOuts_.push_back(callOut);

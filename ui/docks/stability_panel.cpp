@@ -173,7 +173,7 @@ void StabilityPanel::fill() {
         answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: no");
         colour = *verdict.stands ? themes_.current().ok : themes_.current().error;
     } else if (run_) {
-        answer = over ? tr("Stable: undecided") : tr("Stable: not known yet");
+        answer = over ? tr("Stability: undecided") : tr("Stability: not known yet");
     }
     answer_->setText(answer);
     answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));

@@ -62,8 +62,8 @@ struct Carrier {
     /// Called once at the end of an accepted step, after `accept` and `relock` have been called for all links.
     void (*finish)(State& state) = nullptr;
 
-    /// Adds the carrier's limits that have not been released yet. If limits are equally exceeded, the one added first
-    /// is released first.
+    /// Adds the carrier's limits that have not failed yet. If several are exceeded by the same ratio, the one added
+    /// first fails first.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
     /// True if the carrier releases limits of this kind.

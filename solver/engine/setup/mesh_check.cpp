@@ -123,7 +123,7 @@ void checkAnchorCount(const Scene& scene, std::size_t index, const BoltModel& bo
         problem.pointer = under(place, "divisions");
         problem.message = "the bond of bolt " + bolt.name + " is given for each node, and its automatic divisions make " +
                           std::to_string(nodes) + " of them: its strength depends on that number";
-        problem.remedy = "give the divisions for which the anchors were measured, or give the bond per length";
+        problem.remedy = "give the divisions for which the anchors were measured, or give the bond per metre";
         problems.push_back(std::move(problem));
     }
 }

@@ -60,7 +60,7 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
         rows.push_back({SummaryTexts::tr("Glued edges"), number(counts.gluedEdges), "0",
                         SummaryTexts::tr("between cells")});
     if (counts.heldPoints > 0)
-        rows.push_back({SummaryTexts::tr("Supported points"), number(counts.heldPoints), "0",
+        rows.push_back({SummaryTexts::tr("Points with supports"), number(counts.heldPoints), "0",
                         SummaryTexts::tr("defined by the supports of the scene")});
     const std::size_t stages = summary.estimate.stages.size();
     rows.push_back({SummaryTexts::tr("Total"), {}, number(counts.unknowns()),
