@@ -78,7 +78,8 @@ inline constexpr std::array boltPeakRows{BoltPeakRow{BoltQuantity::AxialForce, &
 /// The entry of `extremes` for the bolt quantity with this name; null if no extreme of it is recorded.
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);
 
-/// The entry of `extremes` for the block quantity with this name; null if no extreme of it is recorded, or none so far.
+/// The entry of `extremes` for the block quantity with this name; null if extremes of this quantity are not recorded, or
+/// if none has been recorded yet.
 const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity);
 
 /// Contact force on block `contact.blockA` [N]; the force on block `contact.blockB` is equal and opposite.

@@ -175,8 +175,8 @@ struct BodyForce {
     bool operator==(const BodyForce&) const = default;
 };
 
-/// Contact force that acts over a dynamic step. The moments belong to the block positions with which the step was
-/// computed.
+/// Contact force that acts over a dynamic step. The moments are taken about the centroids of the blocks at the positions
+/// used to compute the step.
 struct ContactStepForce {
     Point force{0.0, 0.0};  // force on block a; the opposite force acts on block b [N]
     double momentA = 0.0, momentB = 0.0;  // moments on blocks a and b about their centroids [N m]

@@ -107,4 +107,10 @@ std::vector<std::string> blockNames(const Scene& scene) {
     return names;
 }
 
+std::vector<std::size_t> cornerCounts(const Scene& scene) {
+    std::vector<std::size_t> counts;
+    for (const SolvedBlock& block : solvedBlocks(scene).blocks) counts.push_back(block.points.size());
+    return counts;
+}
+
 }  // namespace keyblock

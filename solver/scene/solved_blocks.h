@@ -9,6 +9,7 @@
 #include "geometry/cells/sub_blocks.h"
 #include "solver/scene/scene.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,8 @@ SolvedBlocks solvedBlocks(const Scene& scene);
 
 /// Names of all solved blocks, in the order of `SolvedBlocks::blocks`. \pre as for `solvedBlocks`.
 std::vector<std::string> blockNames(const Scene& scene);
+
+/// Numbers of corners of all solved blocks, in the same order. \pre as for `solvedBlocks`.
+std::vector<std::size_t> cornerCounts(const Scene& scene);
 
 }  // namespace keyblock

@@ -13,7 +13,7 @@ namespace keyblock {
 
 inline constexpr double referenceLine = 0.25;  // line width of reference curves [mm]
 
-/// Converts a length [mm] to drawing units of the paper.
+/// Converts a length on paper [mm] to drawing units.
 int unitsOf(double mm);
 QColor inkOf(const Colour& colour, double opacity = 1.0);
 Colour colourOf(const ChartTheme& theme, CurveStyle style);

@@ -81,7 +81,7 @@ std::string elided(const std::string& text, const TextStyle& style, double width
 /// with an ellipsis.
 std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double width, std::size_t most);
 
-/// The font of a style, with its size in drawing units of the paper.
+/// The font of a text style, with its size converted from millimetres to drawing units.
 QFont fontOf(const TextStyle& style);
 
 }  // namespace keyblock

@@ -20,7 +20,7 @@ constexpr std::size_t mostSamples = 400;  // diagnostic samples kept: twice the 
 LiveRun::LiveRun(std::filesystem::path store, const LiveStart& start)
     : store_(std::move(store)), scene_(start.scene),
       names_(keyblock::blockNames(*scene_)), columns_(start.columns),
-      frames_(store_, scene_, names_.size()) {}
+      frames_(store_, scene_) {}
 
 std::shared_ptr<LiveRun> LiveRun::opened(const std::filesystem::path& store) {
     const RunStore kept(store);

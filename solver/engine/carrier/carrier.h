@@ -66,14 +66,14 @@ struct Carrier {
     /// first fails first.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
-    /// True if the carrier releases limits of this kind.
+    /// True if the parts that fail at limits of this kind belong to this carrier.
     bool (*ownsLimit)(LimitKind kind) = nullptr;
 
-    /// True if releasing the limit changes forces, so that equilibrium must be found again.
+    /// True if failure at the limit changes forces, so that equilibrium must be found again.
     bool (*changesForces)(const Model& model, const Limit& limit) = nullptr;
 
-    /// Releases one of the carrier's limits. \return the resulting events, with forces and slip just before the
-    /// release.
+    /// Lets the part that has reached the limit fail. \return the resulting events, with forces and slip just before the
+    /// failure.
     std::vector<Event> (*release)(const Model& model, State& state, const Limit& limit) = nullptr;
 
     /// Adds the forces that blocks about to be excavated exert on the remaining blocks and bolts.

@@ -26,7 +26,7 @@ inline constexpr std::array<const Carrier*, 6> carriers{&contactCarrier, &glueCa
 /// Carrier that stores the forces and history of links of this kind in the state; null if nothing is stored for them.
 const Carrier* carrierOf(LinkKind kind);
 
-/// Carrier that releases limits of this kind.
+/// Carrier of the parts that fail when they reach a limit of this kind.
 const Carrier& carrierOf(LimitKind kind);
 
 }  // namespace keyblock

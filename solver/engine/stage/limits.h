@@ -26,7 +26,8 @@ std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 /// steel yields or a plastic hinge forms, or when friction or a force–slip curve continues from the current force.
 bool changesForces(const Model& model, const Limit& limit);
 
-/// Releases a limit. \return the resulting events, with forces and slip just before the release.
+/// Lets the part that has reached the limit fail. \return the resulting events, with forces and slip just before the
+/// failure.
 std::vector<Event> releaseLimit(const Model& model, State& state, const Limit& limit);
 
 }  // namespace keyblock

@@ -398,10 +398,13 @@ bool unpackBlockExtremes(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
-/// True if lists that belong together have the same number of rows, or none.
-bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& frame) {
+/// True if lists that belong together have the same number of rows, or none, and blocks have the given numbers of corners.
+bool fits(Payload payload, const Scene& scene, std::span<const std::size_t> corners, const Frame& frame) {
+    const std::size_t blocks = corners.size();
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;
+        case Payload::Corners:
+            return std::ranges::equal(frame.blocks, corners, {}, [](const BlockState& b) { return b.points.size(); });
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
         case Payload::BoltExtremes: return frame.extremes.empty() || frame.extremes.size() == scene.bolts.size();
         case Payload::BlockExtremes: return frame.blockExtremes.empty() || frame.blockExtremes.size() == blocks;
@@ -450,7 +453,8 @@ std::vector<double> pack(Payload payload, const Frame& frame) {
     return values;
 }
 
-bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame) {
+bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::span<const std::size_t> corners,
+            Frame& frame) {
     const std::size_t width = payloadColumns(payload).size();
     if (values.size() % width != 0)
         return false;
@@ -461,7 +465,7 @@ bool unpack(Payload payload, std::span<const double> values, const Scene& scene,
         if (!unpacks[static_cast<std::size_t>(payload)](row, scene, frame))
             return false;
     }
-    return fits(payload, scene, blocks, frame);
+    return fits(payload, scene, corners, frame);
 }
 
 }  // namespace keyblock

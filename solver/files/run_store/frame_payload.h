@@ -41,8 +41,9 @@ std::vector<double> pack(Payload payload, const Frame& frame);
 /// Sets the data of a frame from the rows of a payload. The blocks must be unpacked before all other payloads, bolts
 /// before nodes, contacts before contact forces, and weights before inertia.
 /// \param values the values of all rows, as returned by `pack`.
-/// \param blocks the number of solved blocks.
-/// \return false if the values do not match the scene, the number of blocks or the columns.
-bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);
+/// \param corners the number of corners of each solved block.
+/// \return false if the values do not match the scene, its solved blocks or the columns.
+bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::span<const std::size_t> corners,
+            Frame& frame);
 
 }  // namespace keyblock

@@ -131,6 +131,7 @@ void RunStore::readAbout() {
     }
     scene_ = withCollapseStages(std::move(reading.cut ? reading.cut->scene : *reading.scene));
     names_ = keyblock::blockNames(scene_);
+    corners_ = cornerCounts(scene_);
 }
 
 void RunStore::readColumns() {
@@ -198,7 +199,7 @@ std::vector<HistoryRow> RunStore::history() const {
 
 Frame RunStore::frame(std::size_t index) const {
     assert(index < heads_.size());
-    return guarded([&] { return frameAt(database_, frameKeys_.at(index), scene_, names_.size(), heads_.at(index)); });
+    return guarded([&] { return frameAt(database_, frameKeys_.at(index), scene_, corners_, heads_.at(index)); });
 }
 
 std::optional<StoredCheckpoint> RunStore::checkpoint() const {

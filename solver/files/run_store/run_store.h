@@ -57,6 +57,7 @@ private:
     sqlite::Database database_;
     Scene scene_;
     std::vector<std::string> names_;
+    std::vector<std::size_t> corners_;  // number for each block
     HistoryColumns columns_;
     std::string sceneHash_;
     std::string programVersion_;

@@ -128,8 +128,8 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene) {
     return head;
 }
 
-Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
-              const FrameHead& head) {
+Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene,
+              std::span<const std::size_t> corners, const FrameHead& head) {
     Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}, {}, head.events};
     sqlite::Statement statement(database, "SELECT blocks, corners, contacts, nodes, bolts, weights, inertia, "
                                           "contact_forces, node_forces, other_forces, bolt_extremes, block_extremes "
@@ -138,7 +138,7 @@ Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& s
     if (!statement.next())
         outOfRange();
     for (const Payload payload : unpackedPayloads)
-        if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene, blocks, frame))
+        if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene, corners, frame))
             outOfRange();
     return frame;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace keyblock::store_reading {
@@ -54,9 +55,9 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene);
 
 /// Reads the frame stored under `key`.
 /// \param scene the scene as solved, i.e. after cutting.
-/// \param blocks number of blocks in each frame.
+/// \param corners number of corners of each block.
 /// \param head the data of the frame that have already been read.
-Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
-              const FrameHead& head);
+Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene,
+              std::span<const std::size_t> corners, const FrameHead& head);
 
 }  // namespace keyblock::store_reading

@@ -3,13 +3,14 @@
 #include "solver/files/run_store/stored_frames.h"
 
 #include "solver/files/run_store/store_reading.h"
+#include "solver/scene/solved_blocks.h"
 
 #include <utility>
 
 namespace keyblock {
 
-StoredFrames::StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks)
-    : path_(std::move(path)), solved_(std::move(solved)), blocks_(blocks) {}
+StoredFrames::StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved)
+    : path_(std::move(path)), solved_(std::move(solved)), corners_(cornerCounts(*solved_)) {}
 
 Frame StoredFrames::frame(std::size_t index) const {
     using namespace store_reading;
@@ -20,7 +21,7 @@ Frame StoredFrames::frame(std::size_t index) const {
         statement.bind(key);
         if (!statement.next())
             cannotRead(path_, "it no longer has frame " + std::to_string(key) + "; open the run again");
-        return frameAt(database, key, *solved_, blocks_, headAt(statement, *solved_));
+        return frameAt(database, key, *solved_, corners_, headAt(statement, *solved_));
     } catch (const sqlite::Error&) {
         cannotRead(path_, damaged);
     }

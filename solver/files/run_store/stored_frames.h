@@ -12,14 +12,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace keyblock {
 
 class StoredFrames {
 public:
     /// \param solved the scene as solved, i.e. after cutting.
-    /// \param blocks number of blocks in each frame.
-    StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks);
+    StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved);
 
     /// Reads a frame; may be called from any thread.
     /// \throws CannotRead if the store has no such frame or is damaged.
@@ -28,7 +28,7 @@ public:
 private:
     std::filesystem::path path_;
     std::shared_ptr<const Scene> solved_;
-    std::size_t blocks_;
+    std::vector<std::size_t> corners_;  // number for each block
 };
 
 }  // namespace keyblock

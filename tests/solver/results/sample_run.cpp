@@ -91,7 +91,7 @@ BlockState blockState(double left, double grown) {
     state.velocity = {0.1 * grown, 0.0};
     state.area = 1.0;
     state.weight = 26487.0;
-    state.points = {{left + grown, 0.0}, {left + 1.0 + grown, 0.0}, {left + 0.5 + grown, 1.0}};
+    state.points = {{left + grown, 0.0}, {left + 1.0 + grown, 0.0}, {left + 1.0 + grown, 1.0}, {left + grown, 1.0}};
     return state;
 }
 

@@ -226,6 +226,7 @@ void PropertyPanel::showHelp(const FormRow& row) {
 }
 
 void PropertyPanel::focusPointer(const QString& pointer) {
+    if (form_->objects().empty()) return;
     const std::string& object = form_->objects().front();
     const std::string field = pointer.toStdString();
     if (isWithin(field, object) && field.size() > object.size())

@@ -336,6 +336,7 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     EXPECT_TRUE(damagedBy("UPDATE frames SET other_forces = x'0000000000000040' || zeroblob(56)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET blocks = zeroblob(96)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'000000000000F87F' || zeroblob(16)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x''"));  // blocks without corners
     EXPECT_TRUE(damagedBy("UPDATE frames SET stage = 9"));
     EXPECT_TRUE(damagedBy("UPDATE events SET bolt = 4"));
     EXPECT_TRUE(damagedBy("UPDATE events SET kind = 'surprise'"));
@@ -471,7 +472,7 @@ TEST_F(RunStoreTest, FramesAreReadOneByOneWhileTheStoreIsWritten) {
     RunStoreWriter writer(storePath(), false);
     test::feed(scene, results, writer);  // not closed
     const RunStore whole(storePath());
-    const StoredFrames frames(storePath(), std::make_shared<const Scene>(whole.scene()), whole.blockNames().size());
+    const StoredFrames frames(storePath(), std::make_shared<const Scene>(whole.scene()));
     for (std::size_t i = 0; i < whole.frames().size(); ++i) EXPECT_TRUE(frames.frame(i) == whole.frame(i)) << i;
     try {
         frames.frame(whole.frames().size());
