@@ -48,7 +48,7 @@ bool passedPeak(const Model& model, const State& before, const State& after, con
 /// Updates `frames.shown` with the axial forces in a state that is stored as a frame.
 void noteShown(const Model& model, const State& state, EventFrames& frames);
 
-/// Whether another additional frame may be stored.
+/// True if one more frame may be stored in addition to those at equal intervals.
 /// \param planned the number of frames at equal intervals from the start of the run to the end of the current stage.
 bool mayKeep(const EventFrames& frames, long planned);
 

@@ -68,7 +68,7 @@ Anchor anchorAt(double s, AnchorLaw law, double stiffness);
 /// Cross-sectional area of a round bar of 20 mm diameter [m²].
 double barArea();
 
-/// The rebar of the unified bolt paper, across the joint between two blocks. The right block is pulled by
+/// The rebar example of the bolt model paper, across the joint between two blocks. The right block is pulled by
 /// `displacement` [m] in equal increments.
 /// \param youngsModulus Young's modulus of the bar [Pa]. \param peak peak bond force per node [N].
 /// \param divisions 59: the joint is within an element; 60: it is at a node.

@@ -60,15 +60,15 @@ QString RunEntry::outcomeText() const {
     if (goesOn) return Runs::tr("running");
     if (!summary) return Runs::tr("cannot be read");
     const QString stage = QString::fromStdString(summary->stage);
-    if (!summary->outcome) return Runs::tr("interrupted in %1").arg(stage);
+    if (!summary->outcome) return Runs::tr("interrupted in “%1”").arg(stage);
     switch (*summary->outcome) {
-        case Outcome::Failed: return Runs::tr("failed in %1").arg(stage);
-        case Outcome::Stopped: return Runs::tr("stopped in %1").arg(stage);
-        case Outcome::Limit: return Runs::tr("limit reached in %1").arg(stage);
-        case Outcome::Collapse: return Runs::tr("collapse in %1").arg(stage);
-        case Outcome::Displaced: return Runs::tr("excessive movement in %1").arg(stage);
-        case Outcome::Undecided: return Runs::tr("stability undecided in %1").arg(stage);
-        default: return summary->resumable ? Runs::tr("interrupted after %1").arg(stage) : Runs::tr("finished");
+        case Outcome::Failed: return Runs::tr("failed in “%1”").arg(stage);
+        case Outcome::Stopped: return Runs::tr("stopped in “%1”").arg(stage);
+        case Outcome::Limit: return Runs::tr("limit reached in “%1”").arg(stage);
+        case Outcome::Collapse: return Runs::tr("collapse in “%1”").arg(stage);
+        case Outcome::Displaced: return Runs::tr("excessive movement in “%1”").arg(stage);
+        case Outcome::Undecided: return Runs::tr("stability undecided in “%1”").arg(stage);
+        default: return summary->resumable ? Runs::tr("interrupted after “%1”").arg(stage) : Runs::tr("finished");
     }
 }
 

@@ -23,11 +23,11 @@ class StaticAccount {
 public:
     StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Adds the energies of the path from the start to `end` to the ledger of `end`. Called before `end` is accepted.
+    /// Adds the work and the dissipation since the start to the energy ledger of `end`. Called before `end` is accepted.
     /// \param at the loads at `end`.
     /// \param moved the sum of the displacements along the path.
-    /// \param problem the step built at `end`, with which `end` will be accepted; `problem.slipForce` receives the mean
-    /// forces while sliding.
+    /// \param problem the step built at `end`, from which `end` will be accepted; its `slipForce` receives the mean
+    /// forces during sliding.
     void add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;
 
 private:

@@ -27,7 +27,7 @@ QString rough(double value) {
 }
 
 QString whyBlocks(const ModelCounts& counts) {
-    const QString strains = counts.cells == 0             ? SummaryTexts::tr("constant strain in each block; no sub-blocks")
+    const QString strains = counts.cells == 0             ? SummaryTexts::tr("constant strain in each block; no cells")
                             : counts.cells < counts.blocks ? SummaryTexts::tr("%1 of them are cells").arg(number(counts.cells))
                                                            : SummaryTexts::tr("cells, each with its own strain");
     return counts.fixed > 0 ? SummaryTexts::tr("%1; %2 fixed").arg(strains, number(counts.fixed)) : strains;
