@@ -93,6 +93,7 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
                    {tr("Bolt"), tr("State"), tr("Governed by"), tr("Supports"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
                     tr("Bond, %"), tr("Plate, %"), tr("Energy")},
                    AxialPeak, EnergyTaken, this)) {
+    bolts_->headerItem()->setToolTip(SteelUse, tr("Percentage of the ultimate strength"));
     bolts_->headerItem()->setToolTip(EnergyTaken, tr("Energy absorbed by the bolt during the run"));
     setObjectName("stabilityPanel");
     setAttribute(Qt::WA_StyledBackground);
