@@ -83,6 +83,15 @@ TEST(TimeTrack, ThousandsOfEventsAreThinnedAndTheMostSevereStay) {
     EXPECT_TRUE(rupture);
 }
 
+TEST(TimeTrack, AShortStageHasNoTicksIfOnlyItsZeroFits) {
+    Scene scene;
+    scene.stages.resize(3);
+    const std::vector<TimeAxis::Span> spans = TimeAxis(scene).spans();
+    EXPECT_TRUE(ticksOfStage(spans[0], 60.0).values.empty());
+    EXPECT_EQ(ticksOfStage(spans[0], 200.0).values, (std::vector<double>{0.0, 0.5}));
+    EXPECT_EQ(ticksOfStage(spans[2], 60.0).values, (std::vector<double>{0.0, 1.0}));  // the last stage shows its end
+}
+
 TEST(TimeAxis, GivesDynamicStagesMoreRoomAndInvertsExactly) {
     Scene scene;
     scene.stages.resize(2);
