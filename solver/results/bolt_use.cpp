@@ -47,8 +47,8 @@ BoltUse boltUse(int bolt, const BoltExtremes& extremes) {
 
 std::string useText(const BoltUse& use) {
     if (!use.governs) return {};
-    return std::string(rowOf(*use.governs).key) + " used to " +
-           rounded(std::round(1000.0 * use.highest()) / 10.0) + " %";
+    return std::string(rowOf(*use.governs).key) + " used to " + rounded(std::round(1000.0 * use.highest()) / 10.0) +
+           " %" + (use.governs == BoltStrength::Steel ? " of ultimate strength" : "");
 }
 
 /// Bolts are installed at the start of a stage, so its first frame shows them.

@@ -54,7 +54,8 @@ struct BoltUse {
 /// Utilisation of the bolt with index `bolt`, from its extremes; `holds` is left empty.
 BoltUse boltUse(int bolt, const BoltExtremes& extremes);
 
-/// The governing strength and its utilisation, as in "bond used to 87 %"; empty if no strength governs.
+/// The governing strength and its utilisation, as in "bond used to 87 %" or "steel used to 9.1 % of ultimate strength";
+/// empty if no strength governs.
 std::string useText(const BoltUse& use);
 
 /// Nodes of the bolts in the first frame after their installation, indexed by bolt and node; no nodes for a bolt that

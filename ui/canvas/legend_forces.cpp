@@ -118,16 +118,21 @@ void paintContact(QPainter& painter, const Theme& theme, ContactKind kind, const
     }
 }
 
+template <class Field>
+QStringList notesOf(const Field& field, double width, ForceNotes notes) {
+    return notes == ForceNotes::Shown ? notesOf(field, width) : QStringList();
+}
+
 double notesHeight(const QStringList& notes) { return noteRow * static_cast<double>(notes.size()); }
 
 }  // namespace
 
-double legendArrowsHeight(const ArrowField& field, double width) {
-    return forceTitleRow + forceRow + notesHeight(notesOf(field, width));
+double legendArrowsHeight(const ArrowField& field, double width, ForceNotes notes) {
+    return forceTitleRow + forceRow + notesHeight(notesOf(field, width, notes));
 }
 
-void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at,
-                       double width) {
+void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width,
+                       ForceNotes notes) {
     paintTitle(painter, theme, qt(field.title), qt(field.unit), at, width);
     double shown = roundHalvable(0.45 * std::max(field.largest, 1e-300));
     if (shown > field.largest) shown *= 0.5;
@@ -140,16 +145,17 @@ void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& 
     painter.setPen(theme.text);
     painter.drawText(QRectF(to.x() + 10.0, at.y() + forceTitleRow - 2.0, width, forceRow), Qt::AlignVCenter,
                      qt(numberText(shown)) + ' ' + qt(field.unit));
-    paintNotes(painter, theme, notesOf(field, width), at + QPointF(0.0, forceTitleRow + forceRow), width);
+    paintNotes(painter, theme, notesOf(field, width, notes), at + QPointF(0.0, forceTitleRow + forceRow), width);
 }
 
-double legendContactsHeight(const ContactField& field, double width) {
+double legendContactsHeight(const ContactField& field, double width, ForceNotes notes) {
     const auto kinds = static_cast<double>((field.scale.kinds.size() + 1) / 2);
-    return forceTitleRow + (field.scale.longest > 0.0 ? forceRow * (1.0 + kinds) : 0.0) + notesHeight(notesOf(field, width));
+    return forceTitleRow + (field.scale.longest > 0.0 ? forceRow * (1.0 + kinds) : 0.0) +
+           notesHeight(notesOf(field, width, notes));
 }
 
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
-                         const QPointF& at, double width) {
+                         const QPointF& at, double width, ForceNotes notes) {
     paintTitle(painter, theme, ForceTexts::tr("Contact force"), qt(field.unit), at, width);
     QPointF below = at + QPointF(0.0, forceTitleRow - 2.0);
     if (field.scale.longest > 0.0) {
@@ -172,7 +178,7 @@ void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactFie
                    nameOf(field.scale.kinds[i]));
         below.ry() += forceRow * static_cast<double>(1 + (field.scale.kinds.size() + 1) / 2);
     }
-    paintNotes(painter, theme, notesOf(field, width), below + QPointF(0.0, 2.0), width);
+    paintNotes(painter, theme, notesOf(field, width, notes), below + QPointF(0.0, 2.0), width);
 }
 
 }  // namespace keyblock

@@ -15,12 +15,16 @@ namespace keyblock {
 
 struct Theme;
 
-double legendArrowsHeight(const ArrowField& field, double width);  // [px]
-void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width);
+/// Notes below an entry; a low canvas has no room for them.
+enum class ForceNotes { Shown, Omitted };
 
-double legendContactsHeight(const ContactField& field, double width);  // [px]
+double legendArrowsHeight(const ArrowField& field, double width, ForceNotes notes);  // [px]
+void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width,
+                       ForceNotes notes);
+
+double legendContactsHeight(const ContactField& field, double width, ForceNotes notes);  // [px]
 /// \param scale scale of the view [px/m].
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
-                         const QPointF& at, double width);
+                         const QPointF& at, double width, ForceNotes notes);
 
 }  // namespace keyblock

@@ -35,6 +35,7 @@ struct Item {
     double height = 0.0;  // [px]
     std::function<void(QPainter&, const QPointF&)> paint;
     std::optional<LegendPart> part{};
+    bool fits = true;
 };
 
 QString deformationText(double factor) {
@@ -43,7 +44,7 @@ QString deformationText(double factor) {
 }
 
 /// The colour bars, and the entries of arrows and contact forces.
-std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner) {
+std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner, ForceNotes notes) {
     const SectionPicture& picture = content.picture;
     std::vector<Item> items;
     const auto addBar = [&](const std::optional<LegendBar>& bar, LegendPart part) {
@@ -54,20 +55,22 @@ std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content,
     };
     addBar(picture.blockLegend, LegendPart::Blocks);
     if (picture.arrows && picture.arrows->largest > 0.0)
-        items.push_back({legendArrowsHeight(*picture.arrows, inner), [&, inner](QPainter& painter, const QPointF& at) {
-                             paintLegendArrows(painter, theme, *content.picture.arrows, at, inner);
+        items.push_back({legendArrowsHeight(*picture.arrows, inner, notes),
+                         [&, inner, notes](QPainter& painter, const QPointF& at) {
+                             paintLegendArrows(painter, theme, *content.picture.arrows, at, inner, notes);
                          }});
     if (content.contacts)
-        items.push_back({legendContactsHeight(*content.contacts, inner), [&, inner](QPainter& painter, const QPointF& at) {
-                             paintLegendContacts(painter, theme, *content.contacts, content.scale, at, inner);
+        items.push_back({legendContactsHeight(*content.contacts, inner, notes),
+                         [&, inner, notes](QPainter& painter, const QPointF& at) {
+                             paintLegendContacts(painter, theme, *content.contacts, content.scale, at, inner, notes);
                          }});
     addBar(picture.boltLegend, LegendPart::Bolts);
     return items;
 }
 
-std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
+std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content, ForceNotes notes) {
     const double inner = width - 2.0 * legendPadding;
-    std::vector<Item> items = quantitiesOf(theme, content, inner);
+    std::vector<Item> items = quantitiesOf(theme, content, inner, notes);
     if (items.empty()) return items;
     if (const double height = legendKeyHeight(content.kinds, content.highlighted); height > 0.0)
         items.push_back({height, [&theme, &content](QPainter& painter, const QPointF& at) {
@@ -92,13 +95,27 @@ double heightOf(const std::vector<Item>& items) {
 
 bool isNarrow(const QSizeF& canvas) { return canvas.width() < leastCanvas; }
 
-/// The items that fit, from the top; on a narrow canvas only the colour bars.
+/// Removes the items for which there is no room. Colour bars get room before the other items, upper items before lower
+/// ones.
+void keepFitting(std::vector<Item>& items, double most) {
+    double used = heightOf({});
+    for (const bool isBar : {true, false})
+        for (Item& item : items) {
+            if (item.part.has_value() != isBar) continue;
+            item.fits = used + item.height + between <= most;
+            if (item.fits) used += item.height + between;
+        }
+    std::erase_if(items, [](const Item& item) { return !item.fits; });
+}
+
+/// The items that fit; on a narrow canvas only the colour bars.
 std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     if (canvas.width() < leastNarrow) return {};
-    std::vector<Item> items = itemsOf(theme, content);
-    if (isNarrow(canvas)) std::erase_if(items, [](const Item& item) { return !item.part; });
     const double most = isNarrow(canvas) ? shareOfNarrow * canvas.height() : canvas.height() - 2.0 * legendInset;
-    while (!items.empty() && heightOf(items) > most) items.pop_back();
+    std::vector<Item> items = itemsOf(theme, content, ForceNotes::Shown);
+    if (heightOf(items) > most) items = itemsOf(theme, content, ForceNotes::Omitted);
+    if (isNarrow(canvas)) std::erase_if(items, [](const Item& item) { return !item.part; });
+    keepFitting(items, most);
     return items;
 }
 

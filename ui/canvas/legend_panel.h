@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The legend at the right of the canvas: colour bars of the quantities, key of marks,
-// scale of displacements. It is as high as its content; on a low canvas, entries that
-// do not fit are left out, starting from the bottom. A narrow canvas, such as half of a
-// comparison on a small screen, only shows the colour bars, at the bottom right.
+// scale of displacements. It is as high as its content. On a low canvas the notes below
+// arrows and contact forces are left out first, then entries that do not fit; colour
+// bars are kept the longest. A narrow canvas, such as half of a comparison on a small
+// screen, only shows the colour bars, at the bottom right.
 #pragma once
 
 #include "ui/picture/section/section.h"

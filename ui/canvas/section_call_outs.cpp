@@ -94,7 +94,7 @@ void SectionPainter::callOutRibbon(const RibbonShape& shape) {
     CallOut peak;
     peak.head = qt(picture_.bolts[ribbon.shape].name) + "  " + qt(numberText(value)) + unit;
     if (ribbon.limit)
-        peak.detail = CallOutTexts::tr("%1 % of %2")
+        peak.detail = CallOutTexts::tr("%1 % of %2 strength")
                           .arg(std::lround(100.0 * std::abs(value) / *ribbon.limit))
                           .arg(qt(ribbon.limitName));
     peak.edge = theme_.accent;

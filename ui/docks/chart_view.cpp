@@ -183,8 +183,8 @@ void ChartView::paintNow(QPainter& painter) const {
         const QString value = Display::number(*now_->y[p], 4);
         const double wide = metrics.horizontalAdvance(value);
         const bool left = x + 8.0 + wide > pixelsPerMm * place_.right;  // names of curves are further to the right
-        const QRectF box(left ? x - 8.0 - wide : x + 8.0, std::max(y - 16.0, pixelsPerMm * place_.panels[p].top - 8.0),
-                         wide, 14.0);
+        const QRectF box(left ? x - 8.0 - wide : x + 8.0, std::max(y - 16.0, pixelsPerMm * place_.panels[p].top), wide,
+                         14.0);  // below the title
         QColor ground = theme.panel;
         ground.setAlphaF(0.8);
         painter.fillRect(box.adjusted(-2.0, 0.0, 2.0, 0.0), ground);

@@ -93,7 +93,8 @@ QVariant EventsModel::data(const QModelIndex& index, int role) const {
     const Event& event = events[number];
     if (role == Qt::DisplayRole) return text(event, number, index.column());
     if (role == Qt::DecorationRole && index.column() == What) return markOf(themes_.current(), event.kind);
-    if (role == Qt::ToolTipRole) return asTip(chainOf(number));
+    if (role == Qt::ToolTipRole)
+        return asTip(index.column() == Time ? text(event, number, Time).toString() : chainOf(number));
     const bool isNumber = index.column() == Number || index.column() == Force || index.column() == Cause;
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
     if (role == Qt::ForegroundRole && cursor_.hasMoment() && static_cast<long>(number) >= cursor_.head().events)
@@ -160,12 +161,13 @@ EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor&
     view_->setUniformRowHeights(true);
     view_->setAlternatingRowColors(false);
     view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     view_->header()->setMinimumSectionSize(24);
     view_->header()->setStretchLastSection(false);
-    view_->header()->setSectionResizeMode(EventsModel::Where, QHeaderView::Stretch);
-    const std::array<int, EventsModel::columns> widths{34, 96, 104, 90, 72, 40};
-    for (int c = 0; c < EventsModel::columns; ++c) view_->setColumnWidth(c, widths[c]);
+    view_->setColumnWidth(EventsModel::Number, 34);
+    view_->setColumnWidth(EventsModel::Force, 72);
+    view_->setColumnWidth(EventsModel::Cause, 40);
+    for (const auto column : {EventsModel::Time, EventsModel::What, EventsModel::Where})  // share the remaining width
+        view_->header()->setSectionResizeMode(column, QHeaderView::Stretch);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);

@@ -63,10 +63,13 @@ struct RowMaker {
                             .arg(Display::number(peak.at, 3), whenText(run.scene(), peak.stage, peak.time))});
     }
 
-    void use(const QString& name, const BoltPeak& peak) {
+    void use(const BoltStrengthRow& strength, const BoltPeak& peak) {
         if (peak.value < 0.0) return;  // no such strength
-        ResultRow row{name, percent(peak.value)};
-        if (peak.stage >= 0 && peak.value >= leastUse) row.detail = whenText(run.scene(), peak.stage, peak.time);
+        ResultRow row{ResultTexts::tr("%1 utilisation").arg(qt(strength.title)), percent(peak.value)};
+        QStringList details;
+        if (strength.strength == BoltStrength::Steel) details += ResultTexts::tr("of ultimate strength");
+        if (peak.stage >= 0 && peak.value >= leastUse) details += whenText(run.scene(), peak.stage, peak.time);
+        row.detail = details.join(", ");
         row.use = peak.value;
         rows.push_back(std::move(row));
     }
@@ -147,8 +150,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     const BoltExtremes& peaks = report.use.extremes;
     const double axial = peaks.axialForce.value;
     for (const BoltPeakRow& row : boltPeakRows) make.peak(rowOf(row.quantity), peaks.*row.peak, axial);
-    for (const BoltStrengthRow& row : boltStrengths)
-        make.use(ResultTexts::tr("%1 utilisation").arg(qt(row.title)), peaks.*row.use);
+    for (const BoltStrengthRow& row : boltStrengths) make.use(row, peaks.*row.use);
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);

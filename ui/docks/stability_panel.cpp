@@ -14,6 +14,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -56,10 +57,13 @@ void fitColumns(QTreeWidget* tree) {
     for (int c = 0; c + 1 < tree->columnCount(); ++c) tree->resizeColumnToContents(c);
 }
 
+/// Height of a table with its header and this number of rows [px].
+int heightWith(const QTreeWidget* tree, int rows) { return tree->header()->sizeHint().height() + 26 * rows + 4; }
+
 /// Limits the table to the height of its rows, at most three, if another table needs the space below.
 void fitRows(QTreeWidget* tree, bool leavesRoom) {
     const int rows = std::min(3, tree->topLevelItemCount());
-    tree->setMaximumHeight(leavesRoom ? tree->header()->sizeHint().height() + 26 * rows + 4 : QWIDGETSIZE_MAX);
+    tree->setMaximumHeight(leavesRoom ? heightWith(tree, rows) : QWIDGETSIZE_MAX);
 }
 
 QString percent(const std::optional<double>& use) {
@@ -93,13 +97,14 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
                    {tr("Bolt"), tr("State"), tr("Governed by"), tr("Supports"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
                     tr("Bond, %"), tr("Plate, %"), tr("Energy")},
                    AxialPeak, EnergyTaken, this)) {
+    bolts_->headerItem()->setToolTip(SteelUse, tr("Percentage of the ultimate strength"));
     bolts_->headerItem()->setToolTip(EnergyTaken, tr("Energy absorbed by the bolt during the run"));
     setObjectName("stabilityPanel");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Stability"));
     answer_->setObjectName("stabilityAnswer");
-    answer_->setContentsMargins(12, 6, 12, 2);
-    worst_->setContentsMargins(12, 0, 12, 6);
+    answer_->setContentsMargins(12, 4, 12, 0);
+    worst_->setContentsMargins(12, 0, 12, 4);
     for (QLabel* label : {answer_, worst_}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
@@ -109,8 +114,9 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
     column->setSpacing(0);
     column->addWidget(answer_);
     column->addWidget(worst_);
-    column->addWidget(blocks_, 1);
-    column->addWidget(bolts_, 2);
+    column->addWidget(blocks_, 3);  // gets the height of its rows first
+    column->addWidget(bolts_, 1);
+    bolts_->setMinimumHeight(heightWith(bolts_, 1) + bolts_->horizontalScrollBar()->sizeHint().height());
     column->addStretch(0);
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::runGrew})
         connect(&cursor, signal, this, &StabilityPanel::takeRun);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/results/results.h"
+#include "ui/picture/ticks.h"
 #include "ui/runs/time_axis.h"
 
 #include <QWidget>
@@ -31,6 +32,10 @@ struct PlacedEvent {
 /// \param places positions on the timeline [px], one per event; NaN: the event is not shown
 std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
                                       double least);
+
+/// Ticks of a stage drawn with a width of `width` [px], without one at its end if the next stage begins there. No ticks
+/// if only the zero at the start would be left.
+Ticks ticksOfStage(const TimeAxis::Span& span, double width);
 
 class TimeTrack : public QWidget {
     Q_OBJECT

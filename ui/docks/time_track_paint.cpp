@@ -8,7 +8,6 @@
 #include "ui/docks/time_track.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/picture/ticks.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 
@@ -86,6 +85,13 @@ QColor colourOf(const QString& icon, const Theme& theme) {
 }
 
 }  // namespace
+
+Ticks ticksOfStage(const TimeAxis::Span& span, double width) {
+    Ticks ticks = roundTicks({0.0, span.duration}, std::clamp(static_cast<int>(width / perTick), 2, 400));
+    if (span.to < 1.0) std::erase_if(ticks.values, [&](double value) { return value >= span.duration * (1.0 - 1e-9); });
+    if (ticks.values.size() < 2) ticks.values.clear();
+    return ticks;
+}
 
 void TimeTrack::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -167,17 +173,15 @@ void TimeTrack::paintTicks(QPainter& painter) const {
     for (const TimeAxis::Span& span : axis_.spans()) {
         const double left = xOf(span.from), right = xOf(span.to);
         if (right < inset || left > width() - inset) continue;
-        const int most = std::clamp(static_cast<int>((right - left) / perTick), 2, 400);
-        const Ticks ticks = roundTicks({0.0, span.duration}, most);
+        const Ticks ticks = ticksOfStage(span, right - left);
         const bool seconds = cursor_.run()->scene().stages[span.stage].kind ==
                              StageKind::Dynamic;
         for (const double value : ticks.values) {
             const double x = xOf(axis_.at(span.stage, value));
-            const bool isEnd = value >= span.duration * (1.0 - 1e-9) && span.to < 1.0;  // the next stage begins there
-            if (isEnd || x < inset - 0.5 || x > width() - inset + 0.5) continue;
+            if (x < inset - 0.5 || x > width() - inset + 0.5) continue;
             painter.setPen(QPen(theme.border, 1.0));
             painter.drawLine(QPointF(x, axisAt - (value == 0.0 ? 4.0 : 0.0)), QPointF(x, axisAt + 4.0));
-            QString text = QString::fromStdString(numberText(value, ticks.decimals));
+            QString text = QString::fromStdString(numberText(value, value == 0.0 ? 0 : ticks.decimals));
             if (seconds && (value == 0.0 || value == ticks.values.back())) text += QStringLiteral(" s");
             const double wide = metrics.horizontalAdvance(text);
             const double at = value == 0.0 ? x + 3.0 : std::min(x - 0.5 * wide, width() - inset - wide);

@@ -20,6 +20,7 @@ namespace {
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
 constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] space next to numbers, largest width of a title
 constexpr double leastTickRow = 1.9, titleRim = 0.8;  // [mm]
+constexpr double belowNote = 0.6;  // [mm] from the top of a panel to the names that do not reach into the note above it
 constexpr std::size_t mostMarks = 60;  // reference curves with more points have no marks
 
 /// Draws without clipping: SVG cannot clip, and all formats should look alike. A dot on an axis is drawn whole.
@@ -246,7 +247,8 @@ private:
     void nameAbove(Ink& ink, const ChartPanel& panel, const QCPAxisRect& rect) const {
         const Point at(rect.left() / unitsPerMm, rect.top() / unitsPerMm - 0.9 - keyRow * keyRowsOf(panel));
         ink.text(at, panel.title, inked(text_style::number, theme_.text));
-        ink.text(at + Point(textWidth(panel.title, text_style::number) + 2.0, 0.0), panel.note,
+        const double from = textWidth(panel.title, text_style::number) + 2.0;
+        ink.text(at + Point(from, 0.0), elided(panel.note, text_style::note, size_.x() - at.x() - from - 0.5, true),
                  inked(text_style::note, theme_.softText));
     }
 
@@ -282,7 +284,7 @@ private:
                     {y->coordToPixel(curve.y.back()) / unitsPerMm, curve.name, colourOf(theme_, curve.style)});
         std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.y < b.y; });
         const double row = 2.5, bottom = (rect->top() + rect->height()) / unitsPerMm;
-        double free = rect->top() / unitsPerMm;
+        double free = rect->top() / unitsPerMm + (layout_.titlesBeside ? 0.0 : belowNote);
         double rest = row * static_cast<double>(ends.size());
         for (const End& end : ends) {
             const double place = std::max(free, std::min(end.y, bottom - rest + 0.5 * row));

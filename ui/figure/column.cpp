@@ -82,23 +82,13 @@ void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
     for (const std::string& note : notes) ink.text({corner.x(), y += columnNoteRow}, note, text_style::note);
 }
 
-/// A row of the event list: the heading of a stage, or an entry.
+/// A row of the event list: the heading of a stage, or an entry with its text on up to two lines.
 struct EventRow {
     const EventEntry* entry = nullptr;
-    std::string heading;
-};
+    std::vector<std::string> lines;
 
-std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events) {
-    std::vector<EventRow> rows;
-    int stage = -1;
-    for (const EventEntry& entry : events.entries) {
-        if (entry.stage != stage && scene.stages.size() > 1)
-            rows.push_back({nullptr, stageTitle(scene, entry.stage)});
-        stage = entry.stage;
-        rows.push_back({&entry, {}});
-    }
-    return rows;
-}
+    double height() const { return columnRow + columnNoteRow * static_cast<double>(lines.size() - 1); }
+};
 
 /// Width of the time column [mm], which fits all times, so that the texts of all rows are aligned.
 double timeRoom(const Scene& scene, const EventList& events) {
@@ -108,17 +98,39 @@ double timeRoom(const Scene& scene, const EventList& events) {
     return room + 1.0;
 }
 
-void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Point& at, double width, double timeRoom) {
+std::string forceOf(const EventEntry& entry) { return entry.bolt < 0 ? "" : forceText(entry.force, {}); }
+
+/// Text of an entry between its time and its force. \param width of the texts and forces [mm]
+std::vector<std::string> linesOf(const EventEntry& entry, double width) {
+    const double room = width - textWidth(forceOf(entry), text_style::body) - 1.0;
+    const std::string name = elided(entry.subject, text_style::body, room, true);
+    return wrapped(name + (entry.count > 1 ? ": " : " ") + entry.what, text_style::body, room, 2);
+}
+
+std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events, double textsWidth) {
+    std::vector<EventRow> rows;
+    int stage = -1;
+    for (const EventEntry& entry : events.entries) {
+        if (entry.stage != stage && scene.stages.size() > 1)
+            rows.push_back({nullptr, {stageTitle(scene, entry.stage)}});
+        stage = entry.stage;
+        rows.push_back({&entry, linesOf(entry, textsWidth)});
+    }
+    return rows;
+}
+
+constexpr double timesFrom = 3.6;  // [mm] space for the number of an event
+
+void drawEntry(Ink& ink, const Scene& scene, const EventRow& row, const Point& at, double width, double timeRoom) {
+    const EventEntry& entry = *row.entry;
     drawNumber(ink, at + Point(1.35, -0.72), entry.number, 1.35, {1.8, true});
-    const std::string force = entry.bolt < 0 ? "" : forceText(entry.force, {});
-    ink.text(at + Point(width, 0.0), force, text_style::body, Align::Right);
-    ink.text(at + Point(3.6, 0.0), shortTimeText(scene, entry.stage, entry.time), text_style::body);
-    const double from = 3.6 + timeRoom;
-    const double room = width - from - textWidth(force, text_style::body) - 1.0;
-    const double forName = std::max(8.0, room - textWidth(" " + entry.what, text_style::body));
-    const std::string name = elided(entry.subject, text_style::body, forName, true);
-    const std::string whole = name + (entry.count > 1 ? ": " : " ") + entry.what;
-    ink.text(at + Point(from, 0.0), elided(whole, text_style::body, room), text_style::body);
+    ink.text(at + Point(width, 0.0), forceOf(entry), text_style::body, Align::Right);
+    ink.text(at + Point(timesFrom, 0.0), shortTimeText(scene, entry.stage, entry.time), text_style::body);
+    double y = 0.0;
+    for (const std::string& line : row.lines) {
+        ink.text(at + Point(timesFrom + timeRoom, y), line, text_style::body);
+        y += columnNoteRow;
+    }
 }
 
 std::vector<std::string> notesOf(const EventList& events, double width) {
@@ -195,19 +207,21 @@ ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {
 }
 
 ColumnItem eventsItem(const Scene& scene, const EventList& events, double width) {
-    const std::vector<EventRow> rows = rowsOf(scene, events);
-    const std::vector<std::string> notes = notesOf(events, width);
-    const double listed = rows.empty() ? 0.0 : 1.2 + columnRow * static_cast<double>(rows.size()) + 1.2;
-    const double height = 2.0 + listed + columnNoteRow * static_cast<double>(notes.size());
     const double room = timeRoom(scene, events);
+    const std::vector<EventRow> rows = rowsOf(scene, events, width - timesFrom - room);
+    const std::vector<std::string> notes = notesOf(events, width);
+    double listed = rows.empty() ? 0.0 : 2.4;
+    for (const EventRow& row : rows) listed += row.height();
+    const double height = 2.0 + listed + columnNoteRow * static_cast<double>(notes.size());
     return {height, [&scene, rows, notes, width, listed, room](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), "Events", text_style::heading);
                 double y = 3.2;
                 if (!rows.empty()) ink.line(at + Point(0.0, y), at + Point(width, y), {0.13, black});
-                for (const EventRow& item : rows) {
-                    y += columnRow;
-                    if (item.entry) drawEntry(ink, scene, *item.entry, at + Point(0.0, y - 0.4), width, room);
-                    else ink.text(at + Point(0.0, y - 0.4), item.heading, text_style::note);
+                for (const EventRow& row : rows) {
+                    const Point first = at + Point(0.0, y + columnRow - 0.4);
+                    if (row.entry) drawEntry(ink, scene, row, first, width, room);
+                    else ink.text(first, row.lines.front(), text_style::note);
+                    y += row.height();
                 }
                 if (!rows.empty()) ink.line(at + Point(0.0, y + 0.6), at + Point(width, y + 0.6), {0.13, black});
                 y = 2.0 + listed;

@@ -80,7 +80,8 @@ Runs::Runs(Document& document, TimeCursor& cursor, QObject* parent)
         refresh();
     });
     connect(&document, &Document::checkedChanged, this, &Runs::refresh);
-    connect(&document, &Document::changed, this, &Runs::sceneChanged);
+    for (const auto signal : {&Document::changed, &Document::checkedChanged})
+        connect(&document, signal, this, &Runs::sceneChanged);
     refresh();
 }
 
@@ -176,7 +177,10 @@ bool Runs::isRunning() const { return session_ && !session_->isOver(); }
 QString Runs::nothingToRun() const {
     const Scene& scene = *document_.committed();
     if (!scene.domain && scene.blocks.empty()) return tr("Nothing to run: draw an outline or a block.");
-    return scene.stages.empty() ? tr("Nothing to run: add a stage.") : QString();
+    if (scene.stages.empty()) return tr("Nothing to run: add a stage.");
+    const Checked& checked = document_.checked();
+    const bool isRefused = checked.scene == document_.committed() && hasErrors(checked.problems);
+    return isRefused ? tr("Fix the errors listed under Problems first.") : QString();
 }
 
 void Runs::start() {

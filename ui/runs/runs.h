@@ -86,7 +86,7 @@ Q_SIGNALS:
     void listChanged();
     void sessionChanged();  // a new session, or a new state of the current one
     void advanced();  // progress of the session
-    void sceneChanged();  // the document was edited, so that it may have become runnable or not
+    void sceneChanged();  // the document was edited or checked, so that it may have become runnable or not
     void shownChanged();
     void stalenessChanged();
     void reported(const QString& message, bool isError);

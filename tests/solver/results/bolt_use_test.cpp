@@ -25,6 +25,8 @@ TEST(BoltStrengths, HaveARowEachWithWordsAndAUseOfTheirOwn) {
         EXPECT_EQ(use.use[i], 0.1 * static_cast<double>(i + 1)) << boltStrengths[i].key;
     EXPECT_EQ(use.governs, boltStrengths.back().strength);
     EXPECT_EQ(useText(use), "plate used to 40 %");
+    extremes.steel.value = 0.5;
+    EXPECT_EQ(useText(boltUse(0, extremes)), "steel used to 50 % of ultimate strength");
 }
 
 TEST(BoltPeaks, AreFoundByTheKeyOfTheirQuantity) {

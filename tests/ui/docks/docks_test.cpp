@@ -23,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
@@ -80,6 +81,15 @@ TEST(TimeTrack, ThousandsOfEventsAreThinnedAndTheMostSevereStay) {
         EXPECT_NE(placed[i].group, EventGroup::Falls);
     }
     EXPECT_TRUE(rupture);
+}
+
+TEST(TimeTrack, AShortStageHasNoTicksIfOnlyItsZeroFits) {
+    Scene scene;
+    scene.stages.resize(3);
+    const std::vector<TimeAxis::Span> spans = TimeAxis(scene).spans();
+    EXPECT_TRUE(ticksOfStage(spans[0], 60.0).values.empty());
+    EXPECT_EQ(ticksOfStage(spans[0], 200.0).values, (std::vector<double>{0.0, 0.5}));
+    EXPECT_EQ(ticksOfStage(spans[2], 60.0).values, (std::vector<double>{0.0, 1.0}));  // the last stage shows its end
 }
 
 TEST(TimeAxis, GivesDynamicStagesMoreRoomAndInvertsExactly) {
@@ -213,6 +223,26 @@ TEST_F(DocksTest, AClickOnAnEventGoesToItsTimeAndSelectsItsBolt) {
         << chain.toStdString();
     cursor.setHidden(EventKind::Debonding, true);
     EXPECT_EQ(view->model()->rowCount(), 2);
+}
+
+TEST_F(DocksTest, ColumnsOfEventsShareANarrowWidth) {
+    Themes themes;
+    TimeCursor cursor;
+    Selection selection;
+    Display display;
+    Document document;
+    BoltChoice choice(document, selection, cursor);
+    EventsList list(themes, display, cursor, choice);
+    list.resize(320, 200);
+    list.show();
+    cursor.setRun(elevenFrames(), false);
+    settle();
+    const auto* view = list.findChild<QTreeView*>("events");
+    EXPECT_LE(view->header()->length(), view->viewport()->width());
+    for (const auto column : {EventsModel::Time, EventsModel::What, EventsModel::Where})
+        EXPECT_GE(view->columnWidth(column), 50);
+    const QModelIndex where = view->model()->index(0, EventsModel::Where);
+    EXPECT_TRUE(where.data(Qt::ToolTipRole).toString().contains(where.data().toString()));
 }
 
 TEST_F(DocksTest, EventsAreShownByTheirTitles) {

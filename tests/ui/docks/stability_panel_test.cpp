@@ -100,5 +100,30 @@ TEST_F(StabilityPanelTest, ListsAFallingBlockAndOutlinesItOnClick) {
     EXPECT_EQ(shown.tree("boltUses")->topLevelItemCount(), 0);
 }
 
+TEST_F(StabilityPanelTest, ShowsThreeBlocksAndABoltAtItsDefaultSize) {
+    ShownPanel shown;
+    shown.panel.resize(shown.panel.sizeHint());
+    Scene scene = test::sample("suspended-block.json");
+    const Block hung = scene.blocks.back();
+    for (int i = 1; i <= 4; ++i) {
+        Block loose = hung;
+        loose.name = "loose " + std::to_string(i);
+        for (Point& corner : loose.points) corner += Point(4.0 * i, 0.0);
+        scene.blocks.push_back(loose);
+    }
+    shown.cursor.setRun(test::storedRun(scene, folder_.path() / "c.kbrun"), false);
+    QTreeWidget *blocks = shown.tree("unstableBlocks"), *bolts = shown.tree("boltUses");
+    ASSERT_TRUE(waitFor([&] { return bolts->topLevelItemCount() == 1; }));
+    settle();
+    ASSERT_GE(blocks->topLevelItemCount(), 3);
+    const auto isVisible = [](const QTreeWidget* tree, int row) {
+        const QRect cell = tree->visualItemRect(tree->topLevelItem(row));
+        return cell.top() >= 0 && cell.bottom() < tree->viewport()->height();
+    };
+    EXPECT_TRUE(isVisible(blocks, 0) && isVisible(blocks, 1) && isVisible(blocks, 2));
+    EXPECT_TRUE(isVisible(bolts, 0));
+    EXPECT_EQ(shown.panel.height(), shown.panel.sizeHint().height());
+}
+
 }  // namespace
 }  // namespace keyblock

@@ -149,6 +149,18 @@ TEST_F(SectionFigure, CoincidentBoltsAreDrawn) {
     EXPECT_EQ(painted(PaperFormat::Svg).find(shank), std::string::npos);
 }
 
+TEST_F(SectionFigure, ALongEventIsWrapped) {
+    Event& pulled = run.results.events[2];
+    pulled.kind = EventKind::PulledOut;
+    pulled.node = 1;
+    run.results.events.erase(run.results.events.begin() + 3);
+    test::countEvents(run.results.events, run.results.frames);
+    run.scene.bolts[0].name = "R1";
+    const std::string svg = painted(PaperFormat::Svg, 120.0);
+    EXPECT_NE(svg.find(">R1 has one"), std::string::npos);
+    EXPECT_NE(svg.find("out</text>"), std::string::npos);
+}
+
 TEST_F(SectionFigure, LongNamesAreWrappedAndElided) {
     run.scene.title = std::string(40, 'W') + " " + std::string(300, 'W');
     run.scene.bolts[0].name = std::string(200, 'W');

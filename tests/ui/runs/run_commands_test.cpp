@@ -3,6 +3,7 @@
 #include "ui/runs/run_commands.h"
 
 #include "tests/ui/bricks.h"
+#include "tests/ui/runs/stored_run.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/document/document.h"
 #include "ui/edit/defaults.h"
@@ -51,6 +52,21 @@ TEST(RunCommands, RunIsDisabledWithAReasonWhenThereIsNothingToRun) {
     EXPECT_TRUE(room.isOn("run.start"));
     room.document.undo().undo();
     EXPECT_FALSE(room.isOn("run.start"));
+}
+
+TEST(RunCommands, RunIsDisabledWhileTheSceneHasErrors) {
+    NEED_SCREEN();
+    Room room;
+    Scene scene = test::sample("suspended-block.json");
+    room.document.startNew(scene);
+    scene.materials.clear();
+    room.document.apply("remove the materials", scene);
+    ASSERT_TRUE(waitFor([&] { return !room.isOn("run.start"); }));
+    EXPECT_TRUE(room.commands.action("run.start")->toolTip().contains("Fix the errors listed under Problems first"));
+    room.document.undo().undo();
+    EXPECT_TRUE(room.isOn("run.start"));
+    ASSERT_TRUE(waitFor([&] { return room.document.checkIsCurrent(); }));
+    EXPECT_TRUE(room.isOn("run.start"));
 }
 
 TEST(RunCommands, TimeCommandsAreDisabledAtTheEnds) {

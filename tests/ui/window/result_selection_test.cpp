@@ -92,6 +92,9 @@ TEST_F(ResultSelections, ABlockAndABoltShowTheirResults) {
     const auto largest = std::ranges::find_if(rows, [](const ResultRow& row) { return row.name == "Largest N"; });
     ASSERT_NE(largest, rows.end());
     EXPECT_TRUE(largest->value.startsWith("195")) << largest->value.toStdString();
+    const auto steel = std::ranges::find_if(rows, [](const ResultRow& row) { return row.name == "Steel utilisation"; });
+    ASSERT_NE(steel, rows.end());
+    EXPECT_TRUE(steel->detail.startsWith("of ultimate strength, ")) << steel->detail.toStdString();
     EXPECT_TRUE(valueOf("Energy absorbed so far").endsWith(" kJ")) << valueOf("Energy absorbed so far").toStdString();
     EXPECT_TRUE(valueOf("Largest M").isEmpty() || valueOf("Largest M") == "0" || valueOf("Largest M").endsWith(" kN m"));
     EXPECT_FALSE(card.report()->events.empty());
