@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills asan tsan bench bench-compare fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -23,7 +23,8 @@ help:
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
 	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
 	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
-	@echo "make bench  measure time and memory of typical work"
+	@echo "make bench  measure time and memory of typical work; BENCH_JSON=FILE keeps the times of steps, LARGE=1 adds 5,000 blocks and more"
+	@echo "make bench-compare  compare two such files, OLD=FILE NEW=FILE WORSE=1.2; fails if a step has become slower"
 	@echo "make fuzz   fuzz the scene reader, or with TARGET=cut|drawing the cut or the import, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
@@ -115,10 +116,16 @@ asan tsan:
 	$(call build,$@)
 	@ctest --preset $@
 
-bench: packages
+bench:
+	@sh resources/install/debian.sh python3
 	$(call build,headless)
 	build/headless/tests/bench/keyblock_bench
 	build/headless/tests/bench/keyblock_increments_bench
+	/usr/bin/python3 tests/bench/speed/speed.py measure build/headless/tests/bench/keyblock_speed_bench \
+	    $(if $(BENCH_JSON),--json $(BENCH_JSON)) $(if $(LARGE),--large)
+
+bench-compare:
+	@/usr/bin/python3 tests/bench/speed/speed.py compare $(OLD) $(NEW) --worse $(or $(WORSE),1.2)
 
 MINUTES ?= 60
 TARGET ?= scene
