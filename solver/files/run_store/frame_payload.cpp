@@ -398,13 +398,16 @@ bool unpackBlockExtremes(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
-/// True if lists that belong together have the same number of rows, or none, and blocks have the given numbers of corners.
+/// True if lists that belong together have the same number of rows, or none, and blocks have the given numbers of corners,
+/// or none if they have been excavated.
 bool fits(Payload payload, const Scene& scene, std::span<const std::size_t> corners, const Frame& frame) {
     const std::size_t blocks = corners.size();
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;
         case Payload::Corners:
-            return std::ranges::equal(frame.blocks, corners, {}, [](const BlockState& b) { return b.points.size(); });
+            return std::ranges::equal(frame.blocks, corners, [](const BlockState& b, std::size_t count) {
+                return b.points.empty() || b.points.size() == count;
+            });
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
         case Payload::BoltExtremes: return frame.extremes.empty() || frame.extremes.size() == scene.bolts.size();
         case Payload::BlockExtremes: return frame.blockExtremes.empty() || frame.blockExtremes.size() == blocks;

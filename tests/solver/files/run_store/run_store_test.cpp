@@ -336,7 +336,7 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     EXPECT_TRUE(damagedBy("UPDATE frames SET other_forces = x'0000000000000040' || zeroblob(56)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET blocks = zeroblob(96)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'000000000000F87F' || zeroblob(16)"));
-    EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x''"));  // blocks without corners
+    EXPECT_TRUE(damagedBy("UPDATE frames SET corners = substr(corners, 1, 72)"));  // a block with three of its corners
     EXPECT_TRUE(damagedBy("UPDATE frames SET stage = 9"));
     EXPECT_TRUE(damagedBy("UPDATE events SET bolt = 4"));
     EXPECT_TRUE(damagedBy("UPDATE events SET kind = 'surprise'"));
@@ -459,6 +459,16 @@ TEST_F(RunStoreTest, NumbersOutOfTheOrdinarySurvive) {
     results.frames[0].blocks[0].velocity = {std::numeric_limits<double>::infinity(), -0.0};
     results.frames[0].energy.kinetic = -std::numeric_limits<double>::infinity();
     results.history[0].values[0] = std::numeric_limits<double>::denorm_min();
+    {
+        RunStoreWriter writer(storePath(), false);
+        test::feed(test::sampleScene(), results, writer);
+    }
+    EXPECT_EQ(readResults(RunStore(storePath())), results);
+}
+
+TEST_F(RunStoreTest, AnExcavatedBlockHasNoCorners) {
+    Results results = test::sampleResults();
+    results.frames.back().blocks.front().points.clear();
     {
         RunStoreWriter writer(storePath(), false);
         test::feed(test::sampleScene(), results, writer);
