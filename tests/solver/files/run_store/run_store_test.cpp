@@ -336,6 +336,7 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     EXPECT_TRUE(damagedBy("UPDATE frames SET other_forces = x'0000000000000040' || zeroblob(56)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET blocks = zeroblob(96)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'000000000000F87F' || zeroblob(16)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x''"));  // blocks without corners
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = substr(corners, 1, 72)"));  // a block with three of its corners
     EXPECT_TRUE(damagedBy("UPDATE frames SET stage = 9"));
     EXPECT_TRUE(damagedBy("UPDATE events SET bolt = 4"));
@@ -468,7 +469,7 @@ TEST_F(RunStoreTest, NumbersOutOfTheOrdinarySurvive) {
 
 TEST_F(RunStoreTest, AnExcavatedBlockHasNoCorners) {
     Results results = test::sampleResults();
-    results.frames.back().blocks.front().points.clear();
+    results.frames.back().blocks.front() = {};
     {
         RunStoreWriter writer(storePath(), false);
         test::feed(test::sampleScene(), results, writer);
