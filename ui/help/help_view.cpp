@@ -139,6 +139,7 @@ void HelpView::makeReadable(QTextDocument& document) const {
         room.setTopMargin(level > 0 ? 14 : 3);
         room.setBottomMargin(level > 0 ? 6 : 3);
         room.setLineHeight(125, QTextBlockFormat::ProportionalHeight);
+        if (room.hasProperty(QTextFormat::BlockCodeLanguage)) room.setNonBreakableLines(true);  // formulas stay aligned
         cursor.setBlockFormat(room);
         if (level == 0) continue;
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);

@@ -35,7 +35,8 @@ std::vector<AxisTick> ticksWithin(const StageSpan& span, int most, double end, d
     std::vector<AxisTick> ticks;
     double free = 0.0;
     for (const double value : round.values) {
-        const AxisTick tick{span.from + (span.to - span.from) * value / span.reached, numberText(value, round.decimals)};
+        const AxisTick tick{span.from + (span.to - span.from) * value / span.reached,
+                            numberText(value, value == 0.0 ? 0 : round.decimals)};
         const double place = tick.at * perUnit, half = 0.5 * widthOf(tick.text);
         if (place + half > end) break;
         if (!ticks.empty() && place - half < free) return {};

@@ -86,6 +86,7 @@ QWidget* Gallery::makeHeader() {
     row->addWidget(title);
     row->addSpacing(8);
     row->addWidget(hint, 1);
+    row->addSpacing(8);
     for (std::size_t i = 0; i < kindsOfSamples.size(); ++i) {
         const auto n = std::ranges::count_if(samples_, kindsOfSamples[i].has);
         auto* pill = new QPushButton(tr(kindsOfSamples[i].text) + (i == 0 ? " " + QString::number(n) : QString()), header);

@@ -208,7 +208,7 @@ QWidget* StartPage::makeFoot() {
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
     const std::pair<const char*, QString> links[]{{"help.contents", tr("Manual")}, {"panel.library", tr("Bolt library")},
-                                                  {"help.verification", tr("Verification")}, {"help.keys", tr("Keyboard shortcuts")}};
+                                                  {"help.verification", tr("Verification")}, {"help.keys", tr("Shortcuts")}};
     for (const auto& [id, words] : links) {
         if (!rooms_.commands.has(id)) continue;
         QAction* action = rooms_.commands.action(id);

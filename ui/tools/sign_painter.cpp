@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double signSpacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
+constexpr double signSpacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0, nameGap = 11.0;  // [px]
 constexpr double leastForNames = 15.0;  // [px/m] at smaller scales, names would overlap bolts
 
 template <typename Item>
@@ -165,6 +165,19 @@ void SignPainter::motion(const Point& place, const Point& axis, const QColor& co
     painter_.drawEllipse(at, 4.0, 4.0);
 }
 
+/// A place for a name beside, below or above a symbol, clear of earlier names; none if there is no room.
+std::optional<QRectF> SignPainter::freeBox(const QPointF& at, const QSizeF& size) {
+    const double beside = nameGap + 0.5 * size.width(), over = nameGap + 0.5 * size.height();
+    for (const QPointF& way : {QPointF(beside, 0.0), QPointF(-beside, 0.0), QPointF(0.0, over), QPointF(0.0, -over)}) {
+        QRectF box(QPointF(), size);
+        box.moveCenter(at + way);
+        if (std::ranges::any_of(names_, [&](const QRectF& name) { return name.intersects(box); })) continue;
+        names_.push_back(box);
+        return box;
+    }
+    return std::nullopt;
+}
+
 void SignPainter::monitor(const Point& place, const QString& name, const QColor& colour) {
     const QPointF at = map_.toPixel(place);
     painter_.setPen(QPen(theme_.panel, 3.4));
@@ -178,8 +191,12 @@ void SignPainter::monitor(const Point& place, const QString& name, const QColor&
     QFont font = painter_.font();
     font.setPixelSize(11);
     painter_.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QString shown = metrics.elidedText(name, Qt::ElideRight, mostName);
+    const std::optional<QRectF> box = freeBox(at, {metrics.horizontalAdvance(shown), 14.0});
+    if (!box) return;
     QPainterPath letters;
-    letters.addText(at + QPointF(11.0, 4.0), font, QFontMetricsF(font).elidedText(name, Qt::ElideRight, mostName));
+    letters.addText(QPointF(box->left(), box->bottom() - 3.0), font, shown);
     painter_.setPen(QPen(theme_.canvas, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter_.drawPath(letters);
     painter_.fillPath(letters, colour);

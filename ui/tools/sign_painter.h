@@ -8,7 +8,11 @@
 #include "ui/edit/scene_objects.h"
 
 #include <QPointF>
+#include <QRectF>
 #include <QString>
+
+#include <optional>
+#include <vector>
 
 class QColor;
 class QPainter;
@@ -38,10 +42,12 @@ private:
     void support(const Support& support, const SceneObject& object);
     void load(const Load& load);
     void head(const QPointF& tip, const QPointF& along, const QColor& colour);
+    std::optional<QRectF> freeBox(const QPointF& at, const QSizeF& size);
 
     QPainter& painter_;
     const CanvasMap& map_;
     const Theme& theme_;
+    std::vector<QRectF> names_;  // already painted
 };
 
 }  // namespace keyblock

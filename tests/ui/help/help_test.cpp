@@ -14,6 +14,7 @@
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +23,7 @@
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextLayout>
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
@@ -155,6 +157,20 @@ TEST(HelpViews, AToolIsFoundUnderTools) {
         EXPECT_EQ(found.selectedText().toStdString(), tool);
         EXPECT_TRUE(found.block().text().startsWith(tool)) << found.block().text().toStdString();
     }
+}
+
+TEST(HelpViews, FormulasAreNotWrapped) {
+    NEED_SCREEN();
+    Themes themes;
+    HelpView view(themes);
+    view.resize(300, 600);
+    view.show();
+    view.open("theory", {});
+    const QTextDocument& page = *view.findChild<QTextBrowser*>("help.text")->document();
+    const QTextBlock formula = page.find("M/ρt =").block();
+    ASSERT_TRUE(formula.isValid());
+    page.documentLayout()->documentSize();  // lays the page out
+    EXPECT_EQ(formula.layout()->lineCount(), formula.text().count(QChar(QChar::LineSeparator)) + 1);
 }
 
 TEST(HelpViews, TheNearestTopicIsUsed) {
