@@ -57,10 +57,10 @@ void tellCut(const SceneCut& cut, bool all) {
     if (cut.blocks == 0 && cut.sources.empty())
         return;  // only bolt patterns were laid out; there was nothing to cut
     print("cut into " + std::to_string(cut.blocks) + " blocks of " + rounded(cut.area) + " m² with " +
-          std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, minimum area " +
-          rounded(cut.minArea) + " m², minimum width " + rounded(cut.minWidth) + " m\n");
+          std::to_string(cut.vertices) + " corners; tolerance " + lengthText(cut.tolerance) + ", minimum area " +
+          areaText(cut.minArea) + ", minimum width " + lengthText(cut.minWidth) + '\n');
     if (cut.open > 0)
-        print("  removed inside tunnels open from the start: " + std::to_string(cut.open) + '\n');
+        print("  omitted in tunnels that are open from the start: " + std::to_string(cut.open) + '\n');
     if (cut.split > 0)
         print("  cuts through intact rock next to openings: " + std::to_string(cut.split) + '\n');
     tellNotes(cut, all);

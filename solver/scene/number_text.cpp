@@ -18,6 +18,19 @@ std::string rounded(double number) {
     return {text.data(), end.ptr};
 }
 
+std::string lengthText(double metres) {
+    if (std::abs(metres) < 1e-9) return "less than 1 nm";
+    if (std::abs(metres) < 1e-4) return rounded(1e6 * metres) + " µm";
+    if (std::abs(metres) < 0.1) return rounded(1e3 * metres) + " mm";
+    return rounded(metres) + " m";
+}
+
+std::string areaText(double squareMetres) {
+    if (std::abs(squareMetres) < 1e-4) return rounded(1e6 * squareMetres) + " mm²";
+    if (std::abs(squareMetres) < 1e-2) return rounded(1e4 * squareMetres) + " cm²";
+    return rounded(squareMetres) + " m²";
+}
+
 std::string pressureText(double pascals) {
     for (const char* symbol : {"GPa", "MPa", "kPa"})
         if (const Unit& unit = findUnit(symbol)->unit; std::abs(pascals) >= unit.up)

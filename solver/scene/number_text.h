@@ -14,6 +14,12 @@ std::string rounded(double number);
 /// A coordinate in metres, rounded to the millimetre, for display. The text does not include the unit.
 std::string coordinateText(double metres);
 
+/// A length with four significant digits, in m, mm or µm, or "less than 1 nm" if it is only round-off, for display.
+std::string lengthText(double metres);
+
+/// An area with four significant digits, in m², cm² or mm², for display.
+std::string areaText(double squareMetres);
+
 /// A stress or modulus with four significant digits, followed by its unit (Pa, kPa, MPa or GPa), for display.
 std::string pressureText(double pascals);
 

@@ -271,23 +271,23 @@ std::string noteText(const SceneCut& cut, const CutNote& note) {
         return source >= 0 && static_cast<std::size_t>(source) < cut.sources.size()
                    ? cut.sources[source] : std::string("the boundary");
     };
-    const std::string metres = rounded(note.measure) + " m", area = rounded(note.measure) + " m²";
+    const std::string length = lengthText(note.measure), area = areaText(note.measure);
     switch (note.kind) {
         case CutNoteKind::MergedTrace:
-            return metres + " of " + name(note.source) + " coincide with " + name(note.other) + ", which forms the faces";
+            return length + " of " + name(note.source) + " coincide with " + name(note.other) + ", which forms the faces";
         case CutNoteKind::MovedEnd:
-            return "an end of " + name(note.source) + " was moved by " + metres + " to meet a corner";
+            return "an end of " + name(note.source) + " was moved by " + length + " to meet a corner";
         case CutNoteKind::PulledEnd:
-            return "an end of " + name(note.source) + " was extended by " + metres + " to meet " + name(note.other);
+            return "an end of " + name(note.source) + " was extended by " + length + " to meet " + name(note.other);
         case CutNoteKind::TrimmedEnd:
-            return "the last " + metres + " of " + name(note.source) + " end in rock and do not bound a block";
-        case CutNoteKind::TrimmedStretch: return metres + " of " + name(note.source) + " do not bound a block";
+            return "the last " + length + " of " + name(note.source) + " end in rock and do not bound a block";
+        case CutNoteKind::TrimmedStretch: return length + " of " + name(note.source) + " do not bound a block";
         case CutNoteKind::DroppedShort:
-            return "a trace of " + name(note.source) + ", " + metres + " long, is shorter than the tolerance";
+            return "a trace of " + name(note.source) + ", " + length + " long, is shorter than the tolerance";
         case CutNoteKind::DroppedOutside:
-            return "a trace of " + name(note.source) + ", " + metres + " long, lies outside the domain";
+            return "a trace of " + name(note.source) + ", " + length + " long, lies outside the domain";
         case CutNoteKind::DroppedLoose:
-            return "a trace of " + name(note.source) + ", " + metres + " long, does not bound a block";
+            return "a trace of " + name(note.source) + ", " + length + " long, does not bound a block";
         case CutNoteKind::DroppedNotFinite: return "a trace of " + name(note.source) + " is not finite";
         case CutNoteKind::DroppedDomain: return "the domain has no area";
         case CutNoteKind::MergedSliver:
