@@ -70,6 +70,7 @@ void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
     paintLines(painter, map);
     SignPainter signs(painter, map, bench_.theme());
     for (const SceneObject& object : objects()) signs.paint(*bench_.document().scene(), object);
+    signs.paintNames();
     paintSelected(painter, map);
     painter.restore();
 }

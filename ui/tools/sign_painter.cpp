@@ -42,6 +42,10 @@ bool clip(QLineF& line, const QRectF& room) {
     return true;
 }
 
+QRectF around(const QPointF& centre, const QSizeF& size) {
+    return {centre - 0.5 * QPointF(size.width(), size.height()), size};
+}
+
 }  // namespace
 
 SignPainter::SignPainter(QPainter& painter, const CanvasMap& map, const Theme& theme)
@@ -165,19 +169,6 @@ void SignPainter::motion(const Point& place, const Point& axis, const QColor& co
     painter_.drawEllipse(at, 4.0, 4.0);
 }
 
-/// A place for a name beside, below or above a symbol, clear of earlier names; none if there is no room.
-std::optional<QRectF> SignPainter::freeBox(const QPointF& at, const QSizeF& size) {
-    const double beside = nameGap + 0.5 * size.width(), over = nameGap + 0.5 * size.height();
-    for (const QPointF& way : {QPointF(beside, 0.0), QPointF(-beside, 0.0), QPointF(0.0, over), QPointF(0.0, -over)}) {
-        QRectF box(QPointF(), size);
-        box.moveCenter(at + way);
-        if (std::ranges::any_of(names_, [&](const QRectF& name) { return name.intersects(box); })) continue;
-        names_.push_back(box);
-        return box;
-    }
-    return std::nullopt;
-}
-
 void SignPainter::monitor(const Point& place, const QString& name, const QColor& colour) {
     const QPointF at = map_.toPixel(place);
     painter_.setPen(QPen(theme_.panel, 3.4));
@@ -187,19 +178,36 @@ void SignPainter::monitor(const Point& place, const QString& name, const QColor&
     painter_.drawEllipse(at, 4.5, 4.5);
     for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
         painter_.drawLine(at + 3.0 * way, at + 8.0 * way);
-    if (name.isEmpty() || map_.pixelsPerMetre() < leastForNames) return;
+    taken_.push_back(around(at, {2.0 * tick, 2.0 * tick}));
+    if (!name.isEmpty() && map_.pixelsPerMetre() >= leastForNames) names_.push_back({at, name, colour});
+}
+
+void SignPainter::paintNames() {
     QFont font = painter_.font();
     font.setPixelSize(11);
-    painter_.setFont(font);
     const QFontMetricsF metrics(font);
-    const QString shown = metrics.elidedText(name, Qt::ElideRight, mostName);
-    const std::optional<QRectF> box = freeBox(at, {metrics.horizontalAdvance(shown), 14.0});
-    if (!box) return;
-    QPainterPath letters;
-    letters.addText(QPointF(box->left(), box->bottom() - 3.0), font, shown);
-    painter_.setPen(QPen(theme_.canvas, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter_.drawPath(letters);
-    painter_.fillPath(letters, colour);
+    for (const Name& name : names_) {
+        const QString shown = metrics.elidedText(name.text, Qt::ElideRight, mostName);
+        const std::optional<QRectF> box = freeBox(name.at, {metrics.horizontalAdvance(shown), 14.0});
+        if (!box) continue;
+        QPainterPath letters;
+        letters.addText(QPointF(box->left(), box->bottom() - 3.0), font, shown);
+        painter_.setPen(QPen(theme_.canvas, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter_.drawPath(letters);
+        painter_.fillPath(letters, name.colour);
+    }
+}
+
+/// A place for a name beside, below or above its symbol, clear of symbols and earlier names; none if there is no room.
+std::optional<QRectF> SignPainter::freeBox(const QPointF& at, const QSizeF& size) {
+    const double beside = nameGap + 0.5 * size.width(), over = nameGap + 0.5 * size.height();
+    for (const QPointF& way : {QPointF(beside, 0.0), QPointF(-beside, 0.0), QPointF(0.0, over), QPointF(0.0, -over)}) {
+        const QRectF box = around(at + way, size);
+        if (std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
+        taken_.push_back(box);
+        return box;
+    }
+    return std::nullopt;
 }
 
 }  // namespace keyblock

@@ -7,6 +7,7 @@
 
 #include "ui/edit/scene_objects.h"
 
+#include <QColor>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
@@ -14,7 +15,6 @@
 #include <optional>
 #include <vector>
 
-class QColor;
 class QPainter;
 
 namespace keyblock {
@@ -29,6 +29,9 @@ public:
     /// Paints the symbol of the object; does nothing if it has no symbol.
     void paint(const Scene& scene, const SceneObject& object);
 
+    /// Paints the names of the monitors painted so far, clear of their symbols and of each other.
+    void paintNames();
+
     // Single symbols, for previews.
     void side(const Point& from, const Point& to, Fix fix, const QColor& colour);
     void held(const Point& place, Fix fix, const QColor& colour);
@@ -39,6 +42,12 @@ public:
     void monitor(const Point& place, const QString& name, const QColor& colour);
 
 private:
+    struct Name {
+        QPointF at;
+        QString text;
+        QColor colour;
+    };
+
     void support(const Support& support, const SceneObject& object);
     void load(const Load& load);
     void head(const QPointF& tip, const QPointF& along, const QColor& colour);
@@ -47,7 +56,8 @@ private:
     QPainter& painter_;
     const CanvasMap& map_;
     const Theme& theme_;
-    std::vector<QRectF> names_;  // already painted
+    std::vector<Name> names_;  // not yet painted
+    std::vector<QRectF> taken_;  // places of monitors and names
 };
 
 }  // namespace keyblock
