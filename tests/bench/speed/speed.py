@@ -6,8 +6,9 @@
     speed.py measure PROGRAM [--json FILE] [--large] [NAME ...]   PROGRAM is keyblock_speed_bench
     speed.py compare OLD NEW [--worse 1.2]                        exit code 1 if a scene has become slower
 
-Times are CPU times on one thread. `step/F` is a step over one numeric factorization of the same scene with all contacts
-closed, measured in the same run, so that results of different machines can be compared.
+Times are CPU times on one thread. If the last stage is static, the whole run counts as one step. `step/F` is a step over
+one numeric factorization of the same scene with all contacts closed, measured in the same run, so that results of
+different machines can be compared.
 """
 import argparse
 import json
