@@ -115,7 +115,7 @@ void Thumbnails::ask(const QString& path, QSize size, double ratio, const Theme&
         try {
             painted = picture(path, size, ratio, theme);
         } catch (const std::exception&) {
-            // If there is not enough memory, for example, the card stays without a picture.
+            // If there is not enough memory, for example, the sample is shown without an image.
         }
         return [this, path, size, painted] { Q_EMIT ready(path, size, painted.image, painted.facts); };
     });

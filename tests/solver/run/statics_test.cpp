@@ -287,7 +287,7 @@ TEST(Statics, ASlopeUnderItsFrictionAngleHolds) {
     EXPECT_NEAR(shear, 2700.0 * gravity * std::sin(30.0 * degree), 1e-4 * 2700.0 * gravity);
 }
 
-/// Cohesion holds a block on a slope that is too steep; loaded further it lets go once, at its strength.
+/// Cohesion holds a block on a slope that is too steep; under a larger load it fails once, at its strength.
 TEST(Statics, CohesionLetsGoAtItsStrength) {
     Scene scene = slidingSlope(0.0, 30.0);
     scene.jointMaterials[0].second.cohesion = 20e3;
