@@ -288,7 +288,7 @@ TEST(Statics, ASlopeUnderItsFrictionAngleHolds) {
 }
 
 /// Cohesion holds a block on a slope that is too steep; under a larger load it fails once, at its strength.
-TEST(Statics, CohesionLetsGoAtItsStrength) {
+TEST(Statics, CohesionFailsAtItsStrength) {
     Scene scene = slidingSlope(0.0, 30.0);
     scene.jointMaterials[0].second.cohesion = 20e3;
     scene.materials[0].second.poissonsRatio = 0.0;  // else the corners hold each other before they are pushed
