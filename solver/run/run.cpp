@@ -15,6 +15,7 @@
 #include "solver/engine/setup/in_situ.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/activation.h"
+#include "solver/engine/sleep/sleeping_stage.h"
 #include "solver/engine/stage/energy.h"
 #include "solver/engine/time/mass.h"
 #include "solver/results/history.h"
@@ -123,6 +124,7 @@ private:
         now_.health = engine_.health;
         now_.passes = engine_.health.passes;
         engine_.solver = {};
+        part_.reset();
         sink_.checkpoint(now_);
     }
 
@@ -141,6 +143,8 @@ private:
         now_.firstStep = now_.state.step;
         now_.passes -= engine_.health.passes;  // continues the count from the last checkpoint
         engine_.health = {};
+        wakeAll(now_.state);
+        part_.reset();
         setStrengths();
         const std::vector<WallForce> walls = changeActiveParts();
         loads_.begin(now_.stage, now_.state);
@@ -283,9 +287,9 @@ private:
         return between(loadsBefore(), loadsAfter(), now_.within.under);
     }
 
-    DynamicStage dynamics() {
-        return {engine_, loads_.loads(), [this](double t) { return loads_.at(t); },
-                dynamicSettings(scene_, stage())};
+    SleepingStage dynamics() {
+        return {engine_, part_, loads_.loads(), [this](double t) { return loads_.at(t); },
+                dynamicSettings(scene_, stage()), sleepTolerance(scene_)};
     }
 
     /// \return true if the run continues with another stage.
@@ -435,9 +439,9 @@ private:
 
     /// Keeps the state at the start of the last dynamic step if a bolt had its largest force so far there.
     void keepPassedPeak(const State& state) {
-        if (isStatic() || stepBegan_ == now_.time) return;
-        const State& before = engine_.taken.before;
-        if (passedPeak(model_, before, state, now_.eventFrames)) keepEventFrame(before, stepBegan_, false);
+        if (isStatic() || stepBegan_ == now_.time || state.bolts.empty()) return;
+        const std::optional<State> before = stateBefore(engine_, part_.get(), state);
+        if (before && passedPeak(model_, *before, state, now_.eventFrames)) keepEventFrame(*before, stepBegan_, false);
     }
 
     /// Keeps the state after bolts have failed, once no more fail at this load or shortly after.
@@ -488,8 +492,9 @@ private:
     std::vector<SingleForce> forcesIn(const State& state) const {
         const LoadPoint at = ended_ ? *ended_ : loadsReached();
         if (isStatic()) return forcesAtRest(model_, state, loads_.loads(), at);
-        if (engine_.taken.step == state.step && now_.time > 0.0)
-            return forcesOver(model_, loads_.loads(), engine_.taken);
+        const std::optional<TakenStep> step =
+            now_.time > 0.0 ? lastStep(engine_, part_.get(), loads_.loads(), state) : std::nullopt;
+        if (step) return forcesOver(model_, loads_.loads(), *step);
         return forcesAtStart(model_, state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }
 
@@ -548,6 +553,7 @@ private:
     Model model_;  // constant, except for joint strengths that a stage changes
     Checkpoint now_;
     Engine engine_;
+    std::unique_ptr<PartInUse> part_;  // what is awake, while something sleeps
     StageLoads loads_;
     Observation observation_;
     Watch watch_;

@@ -37,6 +37,10 @@ StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     return settings;
 }
 
+double sleepTolerance(const Scene& scene) {
+    return scene.analysis.modelEverything ? 0.0 : scene.analysis.sleepTolerance;
+}
+
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
     DynamicSettings settings;
     settings.scheme = inertiaOf(stage.integration.value_or(scene.analysis.integration));

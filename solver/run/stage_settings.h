@@ -16,6 +16,9 @@ namespace keyblock {
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
+/// Unbalanced force on a sleeping block over its weight; 0 if no block may sleep.
+double sleepTolerance(const Scene& scene);
+
 /// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once. It
 /// is the only one if no load varies and the stage does not set the number of increments. If the stage sets the number
 /// of increments, the list contains the ends of equal increments and the times of all entries of load and motion

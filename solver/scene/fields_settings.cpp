@@ -104,7 +104,16 @@ const Structure& structureOf(const Analysis*) {
             row<&Analysis::contact>("contact",
                                     "How contacts are kept closed: by penalty springs, or by forces that are iterated "
                                     "in each step until nothing penetrates.", {.heading = numerical, .isRare = true}),
-            fixedRow("model_everything", "Whether parts that do not affect the results are modelled as well.", {false}),
+            row<&Analysis::sleepTolerance>(
+                "sleep_tolerance",
+                "Unbalanced force on a block, divided by its weight, up to which the block may sleep in dynamic stages: a "
+                "block that has come to rest is left out of the steps until the force on it changes by more. 0: no block "
+                "sleeps.",
+                {.range = {.least = 0.0, .most = 1.0}, .heading = numerical, .isRare = true}),
+            row<&Analysis::modelEverything>("model_everything",
+                                            "Whether parts that do not affect the results are modelled as well, such as "
+                                            "sleeping blocks. For comparison; it takes longer.",
+                                            {.heading = numerical, .isRare = true}),
         }};
     return structure;
 }

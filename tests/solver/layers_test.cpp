@@ -86,6 +86,7 @@ const std::vector<Room> rooms{
      belowCarriers({"solver/engine/contact", "solver/engine/glue", "solver/engine/support", "solver/engine/bolt"})},
     {"solver/engine/stage", belowCarriers({"solver/engine/contact", "solver/engine/glue", "solver/engine/support",
                                            "solver/engine/bolt", "solver/engine/damping", "solver/engine/boundary"})},
+    {"solver/engine/sleep", belowCarriers({"solver/engine/contact", "solver/engine/stage"})},
     {"solver/engine", {}},  // all of them, for the rooms above; no file lies beside them
     {"solver/run", {"solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/files/json", {"solver/scene"}},

@@ -43,6 +43,7 @@ struct BlockModel {
     std::vector<int> turns;  // corners at which the outline changes direction or joint material; only these count as
                              // corners in contacts
     bool fixed = false;
+    bool asleep = false;  // at rest and held in its place, in the model of a part of a scene (sleep/scene_part) only
 };
 
 struct JointModel {
@@ -156,6 +157,7 @@ struct Model {
     double thickness = 1.0;
     Point gravity{0.0, 0.0};
     double stiffest = 1.0;  // largest spring stiffness in the scene [N/m]
+    double smallest = 1.0;  // √area of the smallest block in the scene [m]
     std::vector<BlockModel> blocks;  // in the order of `solvedBlocks`
     std::vector<int> firstOf;  // per block of the scene, index of its first entry in `blocks`; then of the face plates
     std::vector<GlueModel> glue;

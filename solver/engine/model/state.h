@@ -14,6 +14,16 @@
 
 namespace keyblock {
 
+/// Whether a block has come to rest in a dynamic stage (theory, "Sleep").
+struct BlockRest {
+    bool asleep = false;  // left out of the steps, with its velocity zero
+    int quietSteps = 0;  // number of steps in succession in which it hardly moved
+    Eigen::Vector3d change = Eigen::Vector3d::Zero();  // of the force (along and across `BlockMotion::axis` [N]) and
+                                                       // the moment [N m] on it since it fell asleep
+
+    bool operator==(const BlockRest&) const = default;
+};
+
 struct BlockMotion {
     Point centroid{0.0, 0.0};  // relative to the model's origin [m]
     double angle = 0.0;  // rotation of the block's frame [rad]
@@ -24,6 +34,7 @@ struct BlockMotion {
     std::vector<Point> corners;  // current positions [m]
     bool fallen = false;
     bool absent = false;  // excavated, or a face plate not installed: no forces act on it and it does not move
+    BlockRest rest;  // in dynamic stages only
 
     bool operator==(const BlockMotion&) const = default;
 };

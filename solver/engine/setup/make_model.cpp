@@ -12,6 +12,7 @@
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
+#include <limits>
 #include <cmath>
 
 namespace keyblock {
@@ -147,6 +148,12 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
     return model;
 }
 
+double smallestOf(const Model& model) {
+    double smallest = std::numeric_limits<double>::max();
+    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
+    return smallest;
+}
+
 double stiffestOf(const Model& model) {
     double stiffest = 0.0;
     for (const BlockModel& block : model.blocks) {
@@ -189,6 +196,7 @@ Model makeModel(const Scene& scene) {
         model.nodes += static_cast<int>(model.bolts.back().s.size());
     }
     model.stiffest = stiffestOf(model);
+    model.smallest = smallestOf(model);
     return model;
 }
 

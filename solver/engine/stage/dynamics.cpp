@@ -102,16 +102,15 @@ bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     return false;
 }
 
-/// Adds a step to the time and corrects for the rounding of the last sum, so that a million steps lose nothing (Kahan
-/// 1965).
-double later(double time, double dt, double& roundedUp) {
+}  // namespace
+
+double later(double time, double dt, double end, double& roundedUp) {
+    if (dt == end - time) return end;
     const double step = dt - roundedUp;
     const double sum = time + step;
     roundedUp = (sum - time) - step;
     return sum;
 }
-
-}  // namespace
 
 DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt,
                            DynamicSettings settings)
@@ -182,12 +181,17 @@ double DynamicStage::predictedMove(const State& state, double dt, const DynamicP
     return std::max(pace.lastMove, speed * dt + 0.5 * model.gravity.norm() * dt * dt);
 }
 
+double DynamicStage::searchRange(const State& state, double dt, const DynamicPace& pace) const {
+    const double least = nearShare * engine_.model.smallest;
+    return 4.0 * std::max(least, predictedMove(state, dt, pace)) + widestOpening(state);
+}
+
 DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, DynamicPace& pace,
-                                            Trial& trial) {
+                                            FoundStep& trial) {
     const Model& model = engine_.model;
     StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
     const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
-    const double least = nearShare * smallestSize(model);
+    const double least = nearShare * model.smallest;
     double margin = std::max(least, 2.0 * predictedMove(state, dt, pace));
     Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
@@ -214,11 +218,11 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         const double move = largestMove(model, problem, d);
         if (move > margin) {  // something beyond the search range may have been reached
             margin = 2.0 * move;
-            if (margin > 0.25 * smallestSize(model) && !state.contacts.empty()) return Attempt::TooLong;
+            if (margin > 0.25 * model.smallest && !state.contacts.empty()) return Attempt::TooLong;
             start = d;
             continue;
         }
-        if (paths < mostPathsOfAStep && move > pathOfSmallest * smallestSize(model) &&
+        if (paths < mostPathsOfAStep && move > pathOfSmallest * model.smallest &&
             !entrancesHold(model, state.blocks, trial.state.contacts, corners, d)) {
             path = start = d;
             ++paths;
@@ -263,6 +267,13 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
 }
 
 StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
+    FoundStep found;
+    const StepEnding ending = find(state, time, end, pace, found);
+    if (ending.ending == Ending::Done) take(std::move(found), state, time, end, pace, observer);
+    return ending;
+}
+
+StepEnding DynamicStage::find(const State& state, double time, double end, DynamicPace& pace, FoundStep& found) {
     const Model& model = engine_.model;
     const double rest = end - time;
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
@@ -271,10 +282,9 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     const std::vector<Limit> before = heldLimits(model, state);
     const auto start = worstLimit(before, 0.0);
     const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;
-    Trial trial;
     double low = 0.0, high = 0.0;  // interval that contains the first limit, once a limit is exceeded
     for (int tries = 0;; ++tries) {
-        const Attempt attempted = attempt(state, time, dt, pace, trial);
+        const Attempt attempted = attempt(state, time, dt, pace, found);
         if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};
         if (attempted == Attempt::TooLong) {
             ++engine_.health.stepCuts;
@@ -291,7 +301,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
             pace.dt = dt;
             continue;
         }
-        const auto worst = worstLimit(heldLimits(model, trial.state), 0.0);
+        const auto worst = worstLimit(heldLimits(model, found.state), 0.0);
         const double ratio = worst ? worst->ratio : 0.0;
         if (ratio > 1.0 + locatedWithin) high = dt;
         else low = dt;
@@ -302,15 +312,23 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
         if (dt <= low) dt = 0.5 * (low + high);
     }
-    reportResticks(model, ifSliding(state), trial.state, time, -1, observer);
-    engine_.taken = std::move(trial.taken);
-    engine_.taken.before = std::exchange(state, std::move(trial.state));
-    time = dt == rest ? end : later(time, dt, pace.roundedUp);
-    pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
+    found.dt = dt;
+    found.atLimit = high > 0.0;
+    return {};
+}
+
+void DynamicStage::take(FoundStep found, State& state, double& time, double end, DynamicPace& pace,
+                        StepObserver& observer) {
+    const Model& model = engine_.model;
+    reportResticks(model, ifSliding(state), found.state, time, -1, observer);
+    engine_.taken = std::move(found.taken);
+    engine_.taken.before = std::exchange(state, std::move(found.state));
+    time = later(time, found.dt, end, pace.roundedUp);
+    pace.dt = std::min(2.0 * std::max(pace.dt, found.dt), settings_.timeStep);
     engine_.taken.step = ++state.step;
-    countAccepted(engine_, state, trial.residual);
+    countAccepted(engine_, state, found.residual);
     const Eigen::VectorXd held = heldAccelerations(state);
-    double least = high > 0.0 ? 1.0 - locatedWithin : 1.0 + reachedShare;
+    double least = found.atLimit ? 1.0 - locatedWithin : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
         releaseAndReport(model, state, *limit, time, -1, observer);
         observer.afterEvent(state, time);
@@ -318,7 +336,6 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     }
     followBolts(model, state);
     forget(held, state);
-    return {};
 }
 
 }  // namespace keyblock

@@ -27,6 +27,20 @@ struct DynamicPace {
     bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
 };
 
+/// The time after a step of length `dt`, corrected for the rounding of the last sum, so that a million steps lose
+/// nothing (Kahan 1965). \param end the end of the stage, which a step that reaches it meets exactly [s].
+/// \param roundedUp as in `DynamicPace`; updated.
+double later(double time, double dt, double end, double& roundedUp);
+
+/// A step that was solved but has not been accepted yet.
+struct FoundStep {
+    State state;  // at the end of the step, before anything is released
+    double residual = 0.0;
+    TakenStep taken;  // without `before`
+    double dt = 0.0;  // length of the step [s]
+    bool atLimit = false;  // the step ends where a limit is reached
+};
+
 /// Integrates a dynamic stage step by step. Everything that a step takes over from earlier steps is in the state and in
 /// `DynamicPace`.
 class DynamicStage {
@@ -42,14 +56,18 @@ public:
     /// Advances the state by one accepted step, which ends at the time `end` [s] at the latest, and updates `time` [s].
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
+    /// The two halves of `step`. `find` solves the step and leaves the state as it is; `take` accepts the result,
+    /// releases what has reached its limit and reports the events.
+    StepEnding find(const State& state, double time, double end, DynamicPace& pace, FoundStep& found);
+    void take(FoundStep found, State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
+
+    /// Largest distance within which a step of length `dt` [s] looks for contacts [m], as far as the velocities and the
+    /// last displacement in `pace` tell.
+    double searchRange(const State& state, double dt, const DynamicPace& pace) const;
+
 private:
-    struct Trial {
-        State state;
-        double residual = 0.0;
-        TakenStep taken;  // without `before`
-    };
     enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
-    Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);
+    Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, FoundStep& trial);
     void drive(State& state) const;
     Eigen::VectorXd heldAccelerations(const State& state) const;
     void forget(const Eigen::VectorXd& held, State& state) const;

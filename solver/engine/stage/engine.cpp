@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace keyblock {
@@ -74,12 +73,6 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     }
     if (engine.passed) engine.passed();
     return report;
-}
-
-double smallestSize(const Model& model) {
-    double smallest = std::numeric_limits<double>::max();
-    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
-    return smallest;
 }
 
 double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block) {

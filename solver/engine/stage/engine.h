@@ -76,9 +76,6 @@ struct StepNeeds {
 /// contacts of `state`.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs);
 
-/// √area of the smallest block [m].
-double smallestSize(const Model& model);
-
 /// Displacements [m] due to the unknowns in `d` that are not prescribed: an upper bound for the corners of a block
 /// (`blockMove`), and the largest displacement of any bolt node (`nodeMove`).
 double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block);

@@ -74,7 +74,7 @@ public:
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
-          moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * smallestSize(engine.model)),
+          moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * engine.model.smallest),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
     StepEnding find() {
@@ -504,6 +504,6 @@ StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, con
     return Equilibrium(engine, state, loads, path, settings).find();
 }
 
-double longestMoveOf(const Model& model) { return drivenShare * smallestSize(model); }
+double longestMoveOf(const Model& model) { return drivenShare * model.smallest; }
 
 }  // namespace keyblock

@@ -38,7 +38,7 @@ std::vector<SolvedLink> solvedLinks(const StepProblem& problem, const Eigen::Vec
 void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d) {
     moveBolts(model, state, d);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
-        if (!model.blocks[i].fixed)
+        if (!model.blocks[i].fixed && !model.blocks[i].asleep)
             moveBlock(model.blocks[i], state.blocks[i], d.segment<6>(6 * static_cast<Eigen::Index>(i)));
 }
 

@@ -44,7 +44,7 @@ void addBlocks(const Model& model, const State& state, const SchemeFactors& fact
         Matrix6 stiffness = factors.inertia.d * block.massMatrix;
         stiffness.bottomRightCorner<3, 3>() += factors.elastic * volume * block.elasticity;
         problem.blockStiffness.push_back(stiffness);
-        if (block.fixed || motion.absent)
+        if (block.fixed || block.asleep || motion.absent)
             for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
         if (motion.absent) continue;
         const Vector6 momentum = -factors.inertia.v * block.massMatrix * motion.velocity;

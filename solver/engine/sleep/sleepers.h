@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which blocks sleep. A block falls asleep after it has hardly moved for a number of
+// steps, and wakes as soon as the force or moment on it has changed by more than the
+// tolerance since then (theory, "Sleep").
+#pragma once
+
+#include "solver/engine/model/loads.h"
+#include "solver/engine/model/state.h"
+#include "solver/engine/step/step_problem.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// Force (along and across the block's axis [N]) and moment [N m] per block.
+using BlockForces = std::vector<Eigen::Vector3d>;
+
+struct SleepLimits {
+    double tolerance = 0.0;  // unbalanced force on a block at rest over its weight; 0: nothing sleeps
+    double timeStep = 0.0;  // of the stage [s]
+    double weight = 0.0;  // per unit mass, as `weightPerMass` [m/s²]; 0: nothing sleeps
+
+    bool allow() const { return tolerance > 0.0 && weight > 0.0; }
+};
+
+bool anyAsleep(const State& state);
+
+/// Counts the steps in succession in which each block that is awake hardly moved: no faster than the speed that an
+/// unbalanced force at the tolerance gives it in one step. A block is not quiet while a bolt that crosses it moves
+/// faster.
+/// \param d the displacement over the step, per unknown. \param dt the length of the step [s].
+void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, const SleepLimits& limits, State& state);
+
+/// Lets blocks fall asleep that have been quiet long enough, and the bolts that cross no other. Their kinetic energy
+/// counts as damped. Blocks with a prescribed motion stay awake.
+/// \return true if any fell asleep.
+bool fallAsleep(const Model& model, const Loads& loads, State& state);
+
+/// Change of the forces on sleeping blocks over a step of a part of the scene.
+BlockForces linkChanges(const Model& part, const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Forces of links on sleeping blocks in a part of the scene, where nothing has moved since the problem was set up.
+BlockForces linkForces(const Model& part, const StepProblem& problem);
+
+/// Forces of links on sleeping blocks at the end of a step.
+BlockForces linkForces(const Model& part, const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// True if no force differs between two load points, whatever motions they prescribe.
+bool isSameForce(const LoadPoint& a, const LoadPoint& b);
+
+/// Change of the loads on sleeping blocks; empty if the loads are the same.
+BlockForces loadChanges(const Model& model, const State& state, const Loads& loads, const LoadPoint& before,
+                        const LoadPoint& after);
+
+/// Wakes the blocks whose force has changed by more than the tolerance, and the sleeping blocks around them.
+/// \param changes since the last step, per block; empty: none. \return true if any woke.
+bool wakeDisturbed(const Model& model, const SleepLimits& limits, const BlockForces& changes, State& state);
+
+void wakeAll(State& state);
+
+/// Adds changes to those that sleeping blocks have seen since they fell asleep.
+void addChanges(const BlockForces& changes, State& state);
+
+}  // namespace keyblock
