@@ -215,12 +215,11 @@ private:
     StepEnding advance() {
         if (!isStatic()) {
             stepBegan_ = now_.time;
+            const bool slept = isAllAsleep(model_, now_.state);
             StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
             if (ending.ending == Ending::Done) ending = checkEnergy();
             mark(now_.start, now_.state, now_.time, stage().duration);
-            noteExtremes(now_.state, now_.time);
-            if (ending.ending == Ending::Done) keepPassedPeak(now_.state);
-            lookAround();
+            if (!slept || !isAllAsleep(model_, now_.state)) lookBack(ending);
             keepFrame(false);
             return ending;
         }
@@ -237,6 +236,13 @@ private:
         lookAround();
         keepFrame(false);
         return ending;
+    }
+
+    /// Records what a dynamic step has changed.
+    void lookBack(const StepEnding& ending) {
+        noteExtremes(now_.state, now_.time);
+        if (ending.ending == Ending::Done) keepPassedPeak(now_.state);
+        lookAround();
     }
 
     /// Lets the stage fail if the error of the energy balance exceeds the limit of the scene, since results with

@@ -86,6 +86,13 @@ bool anyAsleep(const State& state) {
                        [](const BlockMotion& block) { return block.rest.asleep; });
 }
 
+bool isAllAsleep(const Model& model, const State& state) {
+    for (std::size_t i = 0; i < state.blocks.size(); ++i)
+        if (isAwake(model, state, i)) return false;
+    const std::vector<char> bolts = awakeBolts(model, state);
+    return std::none_of(bolts.begin(), bolts.end(), [](char awake) { return awake; });
+}
+
 void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, const SleepLimits& limits, State& state) {
     const double most = limits.tolerance * limits.weight * limits.timeStep;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {

@@ -27,6 +27,9 @@ struct SleepLimits {
 
 bool anyAsleep(const State& state);
 
+/// True if no block moves with the steps and no bolt does.
+bool isAllAsleep(const Model& model, const State& state);
+
 /// Counts the steps in succession in which each block that is awake hardly moved: no faster than the speed that an
 /// unbalanced force at the tolerance gives it in one step. A block is not quiet while a bolt that crosses it moves
 /// faster.

@@ -107,7 +107,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
         FoundStep found;
         State own;
         double dt = std::min(pace.dt, end - time);
-        const bool still = isAllAsleep(state);
+        const bool still = isAllAsleep(model, state);
         const Health health = engine_.health;
         if (!still) {
             prepare(state, dt, pace);
@@ -141,13 +141,6 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
         else take(std::move(found), state, std::move(own), time, end, pace, observer);
         return {};
     }
-}
-
-bool SleepingStage::isAllAsleep(const State& state) const {
-    for (std::size_t i = 0; i < state.blocks.size(); ++i)
-        if (isAwake(engine_.model, state, i)) return false;
-    const std::vector<char> bolts = awakeBolts(engine_.model, state);
-    return std::none_of(bolts.begin(), bolts.end(), [](char awake) { return awake; });
 }
 
 /// Lets the time of a step pass in which nothing moves.

@@ -45,7 +45,6 @@ private:
     StepEnding find(const State& own, double time, double end, DynamicPace& pace, FoundStep& found);
     void take(FoundStep found, State& state, State own, double& time, double end, DynamicPace& pace, StepObserver& observer);
     void count(const Engine& engine, double dt, double time, State& state) const;
-    bool isAllAsleep(const State& state) const;
     SleepLimits limitsAt(double time) const;
 
     Engine& engine_;
