@@ -8,6 +8,7 @@
 #include "solver/engine/contact/contact_history.h"
 #include "solver/engine/model/edge.h"
 #include "solver/engine/step/parallel.h"
+#include "solver/engine/step/phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,6 +177,7 @@ bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Dri
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& asked) {
+    const PhaseScope phase(Phase::Search);
     std::vector<Outline> outlines = outlinesOf(model, blocks);
     const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
     const Standings standings(model, blocks, before);
@@ -208,6 +210,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path) {
+    const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
     if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
     const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);

@@ -8,6 +8,7 @@
 #include "solver/engine/damping.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/phase.h"
 #include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
@@ -81,6 +82,7 @@ double addLink(const Link& link, const PathStart& from, EnergyLedger& energy) {
 
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options) {
+    const PhaseScope phase(Phase::Accept);
     const SchemeFactors factors = factorsOf(options);
     // what drives a prescribed unknown works against all forces; its contribution to the motion is added with the
     // velocities

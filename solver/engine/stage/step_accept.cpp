@@ -4,6 +4,7 @@
 
 #include "solver/engine/bolt/motion.h"
 #include "solver/engine/stage/carriers.h"
+#include "solver/engine/step/phase.h"
 #include "solver/engine/step/step_forces.h"
 
 namespace keyblock {
@@ -43,6 +44,7 @@ void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d) {
 }
 
 void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
+    const PhaseScope phase(Phase::Accept);
     const std::vector<SolvedLink> links = solvedLinks(problem, d);
     for (const SolvedLink& solved : links)
         if (const Carrier* carrier = carrierOf(solved.link.kind)) carrier->accept(model, state, solved);

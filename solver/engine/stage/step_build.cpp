@@ -7,6 +7,7 @@
 
 #include "solver/engine/bolt/bolt.h"
 #include "solver/engine/stage/carriers.h"
+#include "solver/engine/step/phase.h"
 #include "solver/engine/time/mass.h"
 
 #include <algorithm>
@@ -90,6 +91,7 @@ double displacementAlong(const Model& model, const State& state, const Prescribe
 
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options) {
+    const PhaseScope phase(Phase::Build);
     StepProblem problem;
     problem.blocks = static_cast<int>(model.blocks.size());
     problem.nodes = model.nodes;

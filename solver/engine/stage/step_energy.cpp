@@ -3,6 +3,7 @@
 #include "solver/engine/stage/step_energy.h"
 
 #include "solver/engine/stage/energy.h"
+#include "solver/engine/step/phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ bool StepEnergy::leavesMoreThan(double share) const {
 }
 
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after) {
+    const PhaseScope phase(Phase::Accept);
     if (!isInContact(before) && !isInContact(after)) return {};
     const Energy a = energyOf(model, before), b = energyOf(model, after);
     // generalized-α may return energy to one term and take it from another, so each term counts by its magnitude

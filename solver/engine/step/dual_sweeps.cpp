@@ -3,6 +3,7 @@
 #include "solver/engine/step/dual_sweeps.h"
 
 #include "solver/engine/step/anderson.h"
+#include "solver/engine/step/phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,7 @@ void DualSweeps::takeForces(const std::vector<double>& strains) {
 }
 
 std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& matrix, StepWork& work) {
+    const PhaseScope phase(Phase::Sweep);
     holdTheRest(from);
     sweepUntilSettled(work);
     if (!straighten(matrix, work)) return std::nullopt;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/step_matrix.h"
 
+#include "solver/engine/step/phase.h"
 #include "solver/engine/step/trial.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ bool StepMatrix::keepsPattern(const StepProblem& problem, const std::vector<std:
 }
 
 void StepMatrix::begin(const StepProblem& problem, const LinkRows& rows) {
+    const PhaseScope phase(Phase::Build);
     exact_ = false;
     const bool sameLinks = links_.begin(problem, rows);
     if (!sameLinks || known_ != problem.known) {
@@ -106,6 +108,7 @@ void StepMatrix::findSlots(const StepProblem& problem) {
 
 /// Adds up the links pair by pair first, so that the sparse matrix is traversed only once and not for every link.
 void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights) {
+    const PhaseScope phase(Phase::Assemble);
     sums_.assign(pairs_.size(), Matrix6::Zero());
     const auto sumOf = [&](int pair) -> Matrix6& { return sums_[pair]; };
     const auto ownSum = [&](int body) -> Matrix6& { return sumOf(own_[body]); };
@@ -139,6 +142,7 @@ int StepMatrix::factor(const StepProblem& problem, const LinkRows& rows, std::sp
 
 int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work) {
+    const PhaseScope phase(Phase::Factor);
     ++work.factorizations;
     ++work.fullFactorizations;
     assemble(problem, rows, weights);
@@ -153,6 +157,7 @@ int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, s
 
 /// \return false if an update costs more than a full factorisation, or fails.
 bool StepMatrix::update(const LinkRows& rows, std::span<const double> weights, StepWork& work) {
+    const PhaseScope phase(Phase::Update);
     const FactoredLinks::Changes changes = links_.changesTo(rows, weights);
     exact_ = exact_ && !changes.rounded;
     if (changes.count() == 0) return true;
@@ -190,6 +195,7 @@ Eigen::VectorXd StepMatrix::product(const StepProblem& problem, const LinkRows& 
 }
 
 Eigen::VectorXd StepMatrix::solve(const Eigen::VectorXd& force, StepWork& work) {
+    const PhaseScope phase(Phase::Solve);
     assert(current_);
     ++work.solves;
     for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = force[unknownOf_[i]];

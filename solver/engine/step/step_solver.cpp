@@ -5,6 +5,7 @@
 #include "solver/engine/step/balance.h"
 #include "solver/engine/step/coupled_friction.h"
 #include "solver/engine/step/line_search.h"
+#include "solver/engine/step/phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -223,6 +224,7 @@ private:
 
 SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                               const std::function<bool()>& stopAsked) {
+    const PhaseScope phase(Phase::Judge);
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[i]) d[i] = problem.value[i];
     if (settings.openClose) return openClose(problem, d, settings, stopAsked);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/time/time_scheme.h"
 
+#include "solver/engine/step/phase.h"
 #include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
@@ -142,6 +143,7 @@ Eigen::VectorXd inertiaForce(const Model& model, const State& state, const Schem
 
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options) {
+    const PhaseScope phase(Phase::Accept);
     const SchemeFactors factors = factorsOf(options);
     const Eigen::VectorXd before = velocitiesOf(model, state), acceleration = accelerationsOf(model, state);
     // with generalized-α, contacts contribute a velocity of their own, as in Newmark; accelerations exclude contact

@@ -3,19 +3,23 @@
 //
 // Runs a scene in memory and prints one JSON object: the CPU time of a step of its
 // last stage, next to the time F of one factorization and S of one back-substitution
-// of the same scene, so that machines and loads can be compared. Usage: measure SCENE.
+// of the same scene, so that machines and loads can be compared, and the share of each
+// phase of a step, sampled every millisecond. Usage: measure SCENE.
 #include "solver/engine/contact/search.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/linear_system.h"
 #include "solver/engine/step/link_rows.h"
+#include "solver/engine/step/phase.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/results/step_work.h"
 #include "solver/run/run.h"
 
 #include <nlohmann/json.hpp>
 
+#include <signal.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <time.h>
 
 #include <algorithm>
@@ -117,6 +121,37 @@ UnitTimes unitTimes(const Scene& scene, double timeStep) {
     return sound ? times : UnitTimes{};
 }
 
+volatile long samples[phases];
+
+void sample(int) { samples[static_cast<int>(currentPhase)] = samples[static_cast<int>(currentPhase)] + 1; }
+
+/// Counts, from now on, the milliseconds of CPU time that the program works on each phase.
+void startSampling() {
+    struct sigaction action{};
+    action.sa_handler = sample;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGPROF, &action, nullptr);
+    const itimerval everyMillisecond{{0, 1000}, {0, 1000}};
+    setitimer(ITIMER_PROF, &everyMillisecond, nullptr);
+}
+
+void stopSampling() {
+    const itimerval never{};
+    setitimer(ITIMER_PROF, &never, nullptr);
+}
+
+/// Share of the time per phase.
+nlohmann::json shares() {
+    constexpr const char* names[phases] = {"other",    "search", "build",  "judge", "sweep",
+                                           "assemble", "factor", "update", "solve", "accept"};
+    double all = 0.0;
+    for (int phase = 0; phase < phases; ++phase) all += static_cast<double>(samples[phase]);
+    nlohmann::json share = nlohmann::json::object();
+    for (int phase = 0; phase < phases; ++phase)
+        share[names[phase]] = all > 0.0 ? static_cast<double>(samples[phase]) / all : 0.0;
+    return share;
+}
+
 /// Time of the steps of the last stage after its first step, which also takes the start of the stage [ms].
 struct StageClock {
     int stage = 0;
@@ -133,7 +168,9 @@ struct StageClock {
         if (progress.steps == before) return;
         last = clockNow();
         steps = progress.steps;
-        if (!begun) first = last, before = steps, begun = true;
+        if (begun) return;
+        first = last, before = steps, begun = true;
+        startSampling();
     }
 
     double perStep() const { return steps > before ? (last - first) / static_cast<double>(steps - before) : 0.0; }
@@ -147,6 +184,7 @@ nlohmann::json measured(const Scene& scene) {
     const double start = clockNow();
     const std::vector<StageResult> results = run(scene, sink, control, {.threads = 1});
     const double whole = clockNow() - start;
+    stopSampling();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const Health& health = results.back().health;
@@ -164,6 +202,10 @@ nlohmann::json measured(const Scene& scene) {
             {"factorizations", static_cast<double>(health.work.factorizations) / solves},
             {"work", workOf(health.work) / solves},
             {"cuts", health.stepCuts + health.energyCuts},
+            {"awake", health.movable > 0 ? nlohmann::json(static_cast<double>(health.awake) /
+                                                          static_cast<double>(health.movable))
+                                         : nlohmann::json()},
+            {"shares", shares()},
             {"run_s", 1e-3 * whole},
             {"memory_MB", static_cast<double>(usage.ru_maxrss) / 1024.0}};
 }

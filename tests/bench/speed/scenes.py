@@ -5,6 +5,7 @@
 wall    running bond of 1 m x 0.5 m bricks on a fixed slab, settled, then at rest
 tilt    the same with 20 degrees of friction and a body acceleration of g sin 25 degrees along it: it slides and topples
 tunnel  cells of 1 m between a fixed floor and fixed walls; those within 4 m of the middle are removed at once
+drift   the unbolted drift in about 1,000 blocks: the key block falls, the rest comes to rest
 collapse  a horseshoe 11 m wide in three joint sets, static, without bolts
 """
 import json
@@ -137,19 +138,39 @@ def sample(name):
     return json.loads((SAMPLES / f"{name}.json").read_text(encoding="utf-8"))
 
 
+def large_drift(half=27, duration=0.9):
+    """The unbolted drift in more rock. In its last stage the key block falls, and the stage ends before it lands."""
+    drift = sample("drift-unbolted")
+    drift["domain"]["boundary"] = [[-half, 2 - half], [half, 2 - half], [half, half], [-half, half]]
+    drift["in_situ_stress"]["reference_y"] = half
+    drift["stages"][3:] = [{"name": "fall", "kind": "dynamic", "duration": duration, "time_step": 0.002}]
+    drift["output"] = {"frames": 1}
+    return {key: value for key, value in drift.items() if key not in ("expected", "quantities")}
+
+
+def awake(scene):
+    scene["analysis"]["model_everything"] = True
+    return scene
+
+
 def all_scenes(large):
     """Pairs of a name and a scene; `large` adds those of 5,000 blocks and more."""
-    yield "wall-awake", wall(40, 26)
+    yield "wall-settled", wall(40, 26, steps=10000)
+    yield "wall-awake", awake(wall(40, 26))
     yield "tilt", tilt(20, 13)
     yield "tilt", tilt(40, 26)
     yield "tilt-fine", tilt(40, 26, time_step=1e-4)
     yield "tunnel", tunnel()
     yield "tunnel-fine", tunnel(time_step=1e-4)
-    yield "wall-bolts", wall(40, 26, bolted=True)
+    yield "wall-bolts", awake(wall(40, 26, bolted=True))
     yield "tilt-bolts", tilt(40, 26, bolted=True)
     yield "drift", sample("drift-unbolted")
+    yield "drift-large", large_drift()
+    yield "drift-large-awake", awake(large_drift())
     yield "collapse", collapse()
     if large:
-        yield "wall-awake", wall(90, 56, steps=20)
+        yield "wall-settled", wall(90, 56, steps=10000)
+        yield "wall-settled", wall(180, 112, steps=10000)
+        yield "wall-awake", awake(wall(90, 56, steps=20))
         yield "tilt", tilt(90, 56, steps=20)
-        yield "wall-awake", wall(180, 112, steps=10)
+        yield "wall-awake", awake(wall(180, 112, steps=10))

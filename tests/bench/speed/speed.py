@@ -4,6 +4,7 @@
 """Measures what a step costs, and compares two measurements.
 
     speed.py measure PROGRAM [--json FILE] [--large] [NAME ...]   PROGRAM is keyblock_speed_bench
+    speed.py page FILE PAGE                                       writes the measurements of FILE to a help page
     speed.py compare OLD NEW [--worse 1.2]                        exit code 1 if a scene has become slower
 
 Times are CPU times on one thread. If the last stage is static, the whole run counts as one step. `step/F` is a step over
@@ -29,6 +30,7 @@ COLUMNS = [
     ("iterations", "iterations", "{:.2f}"),
     ("factorizations", "factorizations", "{:.2f}"),
     ("cuts", "cuts", "{}"),
+    ("awake", "awake", "{:.0%}"),
     ("memory, MB", "memory_MB", "{:.0f}"),
 ]
 
@@ -100,6 +102,69 @@ def compare(arguments):
     sys.exit(1 if failed else 0)
 
 
+PHASES = {
+    "search": "contact search",
+    "build": "building the step",
+    "judge": "balance, line search",
+    "sweep": "sweeps",
+    "assemble": "assembly",
+    "factor": "factorization",
+    "update": "rank updates",
+    "solve": "back-substitution",
+    "accept": "energies, new state",
+    "other": "rest",
+}
+
+PAGE = """<!-- SPDX-FileCopyrightText: The Keyblock contributors -->
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+# Speed
+
+What a step costs, measured with one thread by
+
+```
+make bench BENCH_JSON=FILE{large}
+/usr/bin/python3 tests/bench/speed/speed.py page FILE resources/help/speed.md
+```
+
+Times are CPU times and depend on the machine. *F* is the time of one numeric factorization of the scene's matrix with all contacts closed, *S* that of one back-substitution; *step/F* therefore compares machines. In a static scene the whole run counts as one step.
+
+{scenes}
+
+## Scenes
+
+{descriptions}
+
+{table}
+
+*awake* is the share of the blocks that moved with the steps on average ([Sleep](theory.md#sleep)); in scenes called *awake* nothing may sleep. *cuts* are steps that were repeated with a shorter time step.
+
+## Where the time goes
+
+Share of the time in per cent, sampled every millisecond during the steps of the last stage.
+
+{shares}
+"""
+
+
+def page(arguments):
+    entries = list(read(arguments.file).values())
+    table = [row(title for title, _, _ in COLUMNS), row("---" for _ in COLUMNS)]
+    table += [row(cell(entry, key, form) for _, key, form in COLUMNS) for entry in entries]
+    shares = [row(["scene", "blocks", *PHASES.values()]), row("---" for _ in range(len(PHASES) + 2))]
+    for entry in entries:
+        parts = [f"{100 * entry['shares'][name]:.0f}" for name in PHASES]
+        shares.append(row([entry["name"], f"{entry['blocks']:,}", *parts]))
+    lines = [line for line in scenes.__doc__.splitlines()[2:] if line.strip()]
+    text = PAGE.format(
+        large=" LARGE=1" if any(entry["blocks"] > 4000 for entry in entries) else "",
+        scenes="Every row is one scene of `tests/bench/speed/scenes.py`.",
+        descriptions="\n".join(f"- *{line.split(None, 1)[0]}*: {line.split(None, 1)[1]}" for line in lines),
+        table="\n".join(table),
+        shares="\n".join(shares),
+    )
+    pathlib.Path(arguments.page).write_text(text, encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True)
@@ -109,6 +174,10 @@ def main():
     command.add_argument("--json", metavar="FILE")
     command.add_argument("--large", action="store_true")
     command.set_defaults(action=measure)
+    command = commands.add_parser("page")
+    command.add_argument("file")
+    command.add_argument("page")
+    command.set_defaults(action=page)
     command = commands.add_parser("compare")
     command.add_argument("old")
     command.add_argument("new")
