@@ -148,13 +148,6 @@ BlockForces linkForces(const Model& part, const StepProblem& problem, const Eige
     return forces;
 }
 
-BlockForces linkChanges(const Model& part, const StepProblem& problem, const Eigen::VectorXd& d) {
-    BlockForces changes = linkForces(part, problem, d);
-    const BlockForces before = linkForces(part, problem);
-    for (std::size_t i = 0; i < changes.size(); ++i) changes[i] -= before[i];
-    return changes;
-}
-
 BlockForces loadChanges(const Model& model, const State& state, const Loads& loads, const LoadPoint& before,
                         const LoadPoint& after) {
     if (isSameForce(before, after)) return {};
@@ -172,10 +165,8 @@ bool wakeDisturbed(const Model& model, const SleepLimits& limits, const BlockFor
     std::vector<int> rings(state.blocks.size(), 0);
     bool any = false;
     for (std::size_t i = 0; i < rings.size(); ++i) {
-        const BlockRest& rest = state.blocks[i].rest;
-        if (!rest.asleep) continue;
-        const double disturbed =
-            disturbance(model, i, limits, changes.empty() ? rest.change : rest.change + changes[i]);
+        if (!state.blocks[i].rest.asleep) continue;
+        const double disturbed = disturbance(model, i, limits, changes[i]);
         if (disturbed <= 1.0) continue;
         any = true;
         const int first = wholeOf(model, static_cast<int>(i));
@@ -193,9 +184,16 @@ void wakeAll(State& state) {
     for (BlockMotion& block : state.blocks) block.rest = {};
 }
 
-void addChanges(const BlockForces& changes, State& state) {
+BlockForces changesOf(const State& state) {
+    BlockForces changes;
+    changes.reserve(state.blocks.size());
+    for (const BlockMotion& block : state.blocks) changes.push_back(block.rest.change);
+    return changes;
+}
+
+void setChanges(const BlockForces& changes, State& state) {
     for (std::size_t i = 0; i < changes.size(); ++i)
-        if (state.blocks[i].rest.asleep) state.blocks[i].rest.change += changes[i];
+        if (state.blocks[i].rest.asleep) state.blocks[i].rest.change = changes[i];
 }
 
 }  // namespace keyblock

@@ -41,13 +41,8 @@ void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, co
 /// \return true if any fell asleep.
 bool fallAsleep(const Model& model, const Loads& loads, State& state);
 
-/// Change of the forces on sleeping blocks over a step of a part of the scene.
-BlockForces linkChanges(const Model& part, const StepProblem& problem, const Eigen::VectorXd& d);
-
-/// Forces of links on sleeping blocks in a part of the scene, where nothing has moved since the problem was set up.
+/// Forces of links on the sleeping blocks of a part of the scene, at the start of a step and at its end.
 BlockForces linkForces(const Model& part, const StepProblem& problem);
-
-/// Forces of links on sleeping blocks at the end of a step.
 BlockForces linkForces(const Model& part, const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// True if no force differs between two load points, whatever motions they prescribe.
@@ -58,12 +53,13 @@ BlockForces loadChanges(const Model& model, const State& state, const Loads& loa
                         const LoadPoint& after);
 
 /// Wakes the blocks whose force has changed by more than the tolerance, and the sleeping blocks around them.
-/// \param changes since the last step, per block; empty: none. \return true if any woke.
+/// \param changes per block, since it fell asleep. \return true if any woke.
 bool wakeDisturbed(const Model& model, const SleepLimits& limits, const BlockForces& changes, State& state);
 
 void wakeAll(State& state);
 
-/// Adds changes to those that sleeping blocks have seen since they fell asleep.
-void addChanges(const BlockForces& changes, State& state);
+/// Changes of the force on each block since it fell asleep; zero for blocks that are awake.
+BlockForces changesOf(const State& state);
+void setChanges(const BlockForces& changes, State& state);
 
 }  // namespace keyblock

@@ -12,6 +12,7 @@ namespace {
 
 constexpr long sleepEvery = 10;  // steps between times at which blocks may fall asleep
 constexpr int mostWakings = 3;  // repetitions of a step with more blocks, after which all wake
+constexpr long stepsAPass = 10;  // steps in which nothing moves cost as much as one iteration, from which checkpoints follow
 constexpr double reachShare = 0.25;  // of the smallest block's size: minimum range of a part around what is awake
 constexpr double reachAhead = 4.0;  // times the range of the contact search of one step
 
@@ -47,10 +48,17 @@ private:
     bool any_ = false;
 };
 
-/// Changes of the forces on the blocks of a part, per block of the whole scene.
-void addInWhole(const ScenePart& part, const BlockForces& own, std::size_t blocks, BlockForces& changes) {
-    if (changes.empty()) changes.assign(blocks, Eigen::Vector3d::Zero());
-    for (std::size_t i = 0; i < own.size(); ++i) changes[part.wholeBlock(static_cast<int>(i))] += own[i];
+/// Replaces the changes of the forces on the blocks of the part.
+/// \param now the forces of their links. \param changes per block of the whole scene.
+void takeChanges(const PartInUse& use, const BlockForces& now, BlockForces& changes) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+        changes[use.part.wholeBlock(static_cast<int>(i))] = now[i] - use.before[i];
+}
+
+/// Takes a change of the loads as one of the forces when the blocks fell asleep, so that those of the links include it.
+void addLoads(const BlockForces& loads, PartInUse& use) {
+    for (std::size_t i = 0; i < use.before.size(); ++i)
+        use.before[i] -= loads[use.part.wholeBlock(static_cast<int>(i))];
 }
 
 }  // namespace
@@ -71,12 +79,11 @@ SleepLimits SleepingStage::limitsAt(double time) const {
 StepEnding SleepingStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
     const double dt = std::min(pace.dt, end - time);
-    if (loadsAt_(time + dt).openings != state.openings) wakeAll(state);
-    const StepEnding ending = anyAsleep(state) ? stepOfPart(state, time, end, pace, observer)
-                                               : stepOfWhole(state, time, end, pace, observer);
-    if (ending.ending != Ending::Done || tolerance_ <= 0.0 || state.step % sleepEvery != 0) return ending;
-    if (fallAsleep(engine_.model, loads_, state)) part_.reset();
-    return ending;
+    const std::vector<double> openings = loadsAt_(time + dt).openings;
+    if (!openings.empty() && openings != state.openings) wakeAll(state);
+    if (tolerance_ > 0.0 && state.step % sleepEvery == 0 && fallAsleep(engine_.model, loads_, state)) part_.reset();
+    return anyAsleep(state) ? stepOfPart(state, time, end, pace, observer)
+                            : stepOfWhole(state, time, end, pace, observer);
 }
 
 StepEnding SleepingStage::stepOfWhole(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
@@ -110,7 +117,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
         const bool still = isAllAsleep(model, state);
         const Health health = engine_.health;
         if (!still) {
-            prepare(state, dt, pace);
+            prepare(state, time, dt, pace);
             own = part_->part.stateOf(state);
             const StepEnding ending = find(own, time, end, next, found);
             if (ending.ending == Ending::Stopped) return ending;
@@ -127,18 +134,22 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
             }
             dt = found.dt;
         }
-        BlockForces changes = loadChanges(model, state, loads_, loadsAt_(time), loadsAt_(time + dt));
-        if (!still)
-            addInWhole(part_->part, linkChanges(part_->part.model(), found.taken.problem, found.taken.d),
-                       model.blocks.size(), changes);
+        BlockForces changes = changesOf(state);
+        if (!still) takeChanges(*part_, linkForces(part_->part.model(), found.taken.problem, found.taken.d), changes);
+        const BlockForces loads = loadChanges(model, state, loads_, loadsAt_(time), loadsAt_(time + dt));
+        for (std::size_t i = 0; i < loads.size(); ++i) changes[i] += loads[i];
         if (wakeDisturbed(model, limitsAt(time + dt), changes, state)) {
             part_.reset();
             continue;
         }
-        addChanges(changes, state);
+        setChanges(changes, state);
         pace = next;
-        if (still) pass(state, time, end, pace);
-        else take(std::move(found), state, std::move(own), time, end, pace, observer);
+        if (still) {
+            pass(state, time, end, pace);
+            return {};
+        }
+        if (!loads.empty()) addLoads(loads, *part_);
+        take(std::move(found), state, std::move(own), time, end, pace, observer);
         return {};
     }
 }
@@ -151,7 +162,8 @@ void SleepingStage::pass(State& state, double& time, double end, DynamicPace& pa
     time = later(time, dt, end, pace.roundedUp);
     pace.dt = std::min(2.0 * pace.dt, settings_.timeStep);
     pace.lastMove = 0.0;
-    ++state.step;
+    if (++state.step % stepsAPass == 0) ++engine_.health.passes;
+    if (engine_.passed) engine_.passed();
 }
 
 DynamicStage SleepingStage::partStage() const {
@@ -161,12 +173,17 @@ DynamicStage SleepingStage::partStage() const {
 }
 
 /// Makes the part again if what is awake may leave the range for which it was made.
-void SleepingStage::prepare(const State& state, double dt, const DynamicPace& pace) {
+void SleepingStage::prepare(const State& state, double time, double dt, const DynamicPace& pace) {
     const double ahead = whole_.searchRange(state, std::min(dt, settings_.timeStep), pace);
     if (part_ && part_->part.holds(state, ahead)) return;
     const double reach = std::max(reachShare * engine_.model.smallest, reachAhead * ahead);
     part_ = std::make_unique<PartInUse>(engine_.model, state, loads_, reach);
     part_->engine.stopAsked = engine_.stopAsked;
+    const ScenePart& part = part_->part;
+    part_->before = linkForces(part.model(), buildStep(part.model(), part.stateOf(state), part.loads(),
+                                                       part.loadsAt(loadsAt_(time)), {Inertia::None}));
+    for (std::size_t i = 0; i < part_->before.size(); ++i)
+        part_->before[i] -= state.blocks[part.wholeBlock(static_cast<int>(i))].rest.change;
 }
 
 StepEnding SleepingStage::find(const State& own, double time, double end, DynamicPace& pace, FoundStep& found) {
@@ -197,15 +214,12 @@ void SleepingStage::take(FoundStep found, State& state, State own, double& time,
     part_->at = at;
     partStage().take(std::move(found), own, time, end, pace, inWhole);
     engine_.health = engine.health;
-    const TakenStep& taken = engine.taken;
     count(engine, dt, time, own);
     if (inWhole.hadEvents()) {
-        BlockForces changes, released = linkForces(part.model(), taken.problem, taken.d);
-        for (Eigen::Vector3d& force : released) force = -force;
-        addInWhole(part, released, state.blocks.size(), changes);
+        BlockForces changes = changesOf(state);
         const StepProblem now = buildStep(part.model(), own, part.loads(), part.loadsAt(at), {Inertia::None});
-        addInWhole(part, linkForces(part.model(), now), state.blocks.size(), changes);
-        addChanges(changes, state);
+        takeChanges(*part_, linkForces(part.model(), now), changes);
+        setChanges(changes, state);
     }
     part.writeBack(own, state);
 }

@@ -20,6 +20,8 @@ struct PartInUse {
     ScenePart part;
     Engine engine;
     LoadPoint at;  // loads of the whole scene in the last step
+    BlockForces before;  // per block of the part that sleeps: the forces of its links when it fell asleep, or what they
+                         // would have been if the same links had been part of the step
 
     PartInUse(const Model& whole, const State& state, const Loads& loads, double reach)
         : part(whole, state, loads, reach), engine(part.model()) {}
@@ -40,7 +42,7 @@ private:
     StepEnding stepOfWhole(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
     StepEnding stepOfPart(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
     void pass(State& state, double& time, double end, DynamicPace& pace) const;
-    void prepare(const State& state, double dt, const DynamicPace& pace);
+    void prepare(const State& state, double time, double dt, const DynamicPace& pace);
     DynamicStage partStage() const;
     StepEnding find(const State& own, double time, double end, DynamicPace& pace, FoundStep& found);
     void take(FoundStep found, State& state, State own, double& time, double end, DynamicPace& pace, StepObserver& observer);
