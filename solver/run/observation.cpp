@@ -142,7 +142,8 @@ Frame Observation::frame(const State& state, int stage, double time) const {
 
 void Observation::addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const {
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (!state.blocks[b].absent) addExtreme(blockMoved(state, static_cast<int>(b)), stage, time, extremes[b]);
+        if (!state.blocks[b].absent && !state.blocks[b].rest.asleep)
+            addExtreme(blockMoved(state, static_cast<int>(b)), stage, time, extremes[b]);
 }
 
 void Observation::addMonitor(const State& state, std::size_t index, std::vector<double>& values) const {

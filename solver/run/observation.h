@@ -33,7 +33,7 @@ public:
     Frame frame(const State& state, int stage, double time) const;
     HistoryRow history(const State& state, int stage, double time) const;
 
-    /// Updates the extremes with the blocks in `state`. \param extremes one entry per block.
+    /// Updates the extremes with the blocks in `state` that do not sleep. \param extremes one entry per block.
     void addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const;
 
 private:

@@ -82,24 +82,29 @@ void Watch::remember(const Event& event) const {
     if (event.kind == EventKind::JointOpen) memory_.opened.insert(pair);
 }
 
+/// Joints between blocks that sleep are as they were and are not looked at.
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
+    const auto rests = [&](int block) { return model_.blocks[block].fixed || state.blocks[block].rest.asleep; };
     std::map<Pair, Contact> now;
     for (const Contact& c : state.contacts) {
-        if (!isClosed(model_, c)) continue;
+        if ((rests(c.blockA) && rests(c.blockB)) || !isClosed(model_, c)) continue;
         now.try_emplace(pairOf(model_, c), c);
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
         if (slides && memory_.slipped.insert(pairOf(model_, c)).second)
             events.push_back(jointEvent(EventKind::JointSlip, c));
     }
-    for (const auto& [pair, contact] : memory_.closed) {
-        if (now.contains(pair) || !memory_.opened.insert(pair).second) continue;
+    std::erase_if(memory_.closed, [&](const auto& entry) {
+        const auto& [pair, contact] = entry;
+        if ((rests(pair.first) && rests(pair.second)) || now.contains(pair)) return false;
+        if (!memory_.opened.insert(pair).second) return true;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
                                         [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
         // if the contact is no longer in the contact list, its last known position is reported
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
-    }
-    memory_.closed = std::move(now);
+        return true;
+    });
+    for (auto& [pair, contact] : now) memory_.closed.insert_or_assign(pair, std::move(contact));
 }
 
 void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
