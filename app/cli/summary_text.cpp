@@ -52,6 +52,10 @@ std::string eventLine(const std::vector<Event>& events) {
     return "events  " + (text.empty() ? "none" : text) + "\n";
 }
 
+std::string sleepText(const std::optional<double>& awake) {
+    return !awake || *awake == 1.0 ? "" : ", " + rounded(100.0 * *awake) + " % of the blocks awake in dynamic steps";
+}
+
 std::string healthLine(const std::vector<StageRecord>& records) {
     const std::optional<RunHealth> health = healthOf(records);
     if (!health)
@@ -59,7 +63,7 @@ std::string healthLine(const std::vector<StageRecord>& records) {
     return "solver  " + rounded(health->passesMean) + " iterations per step, " + std::to_string(health->stepCuts) +
            " step reductions, " + std::to_string(health->energyCuts) + " reductions for energy, deepest penetration " +
            rounded(health->maxPenetrationRatio) + " of a block, residual " + rounded(health->residual) +
-           ", energy balance error " + rounded(health->balanceError) + "\n";
+           ", energy balance error " + rounded(health->balanceError) + sleepText(health->awakeMean) + "\n";
 }
 
 std::string measuredText(const Measurement& measurement) {
@@ -130,6 +134,8 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
     long steps = 0;
     long passes = 0;
     long solved = 0;
+    long awake = 0;
+    long movable = 0;
     StepWork work;
     bool any = false;
     for (const StageRecord& record : records) {
@@ -141,6 +147,8 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
         passes += health.passes;
         solved += health.steps;
         work += health.work;
+        awake += health.awake;
+        movable += health.movable;
         total.stepCuts += health.stepCuts;
         total.energyCuts += health.energyCuts;
         total.maxPenetrationRatio = std::max(total.maxPenetrationRatio, health.maxPenetrationRatio);
@@ -151,6 +159,8 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
     if (!any)
         return std::nullopt;
     const auto solves = static_cast<double>(std::max(1L, solved));
+    if (movable > 0)
+        total.awakeMean = static_cast<double>(awake) / static_cast<double>(movable);
     total.workMean = workOf(work) / solves;
     total.factorizationsMean = static_cast<double>(work.factorizations) / solves;
     total.fullFactorizationsMean = static_cast<double>(work.fullFactorizations) / solves;

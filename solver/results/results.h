@@ -263,6 +263,8 @@ struct Health {
     long stepCuts = 0;  // time-step or increment reductions, without `energyCuts`
     long energyCuts = 0;  // steps shortened because of their energy error
     StepWork work;
+    long awake = 0;  // blocks that moved with the steps of a dynamic stage, summed over the steps
+    long movable = 0;  // the same with the blocks that slept
     double maxPenetrationRatio = 0.0;  // largest penetration divided by the size of the smaller block
     double maxResidual = 0.0;  // largest accepted unbalanced force divided by the magnitude of the acting forces
     double balanceError = 0.0;

@@ -218,6 +218,7 @@ private:
             const bool slept = isAllAsleep(model_, now_.state);
             StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
             if (ending.ending == Ending::Done) ending = checkEnergy();
+            countAwake();
             mark(now_.start, now_.state, now_.time, stage().duration);
             if (!slept || !isAllAsleep(model_, now_.state)) lookBack(ending);
             keepFrame(false);
@@ -236,6 +237,14 @@ private:
         lookAround();
         keepFrame(false);
         return ending;
+    }
+
+    void countAwake() {
+        for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+            const bool awake = isAwake(model_, now_.state, i);
+            engine_.health.awake += awake;
+            engine_.health.movable += awake || now_.state.blocks[i].rest.asleep;
+        }
     }
 
     /// Records what a dynamic step has changed.

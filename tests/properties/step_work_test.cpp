@@ -52,7 +52,8 @@ void expectWork(const Health& health, double mostWork, double mostFactorizations
 }
 
 TEST(StepWork, WallAtRestTakesLessThanOneFactorization) {
-    const Scene wall = settledWall(40, 26);
+    Scene wall = settledWall(40, 26);
+    wall.analysis.modelEverything = true;
     expectWork(healthAfter(wall, 0.1), 1.0, 1.2, healthAfter(wall, 0.01));
 }
 

@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Version of the store; increases with every change that an older program would misread.
-inline constexpr int version = 9;
+inline constexpr int version = 10;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -21,7 +21,8 @@ CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     passes INTEGER, step_cuts INTEGER, energy_cuts INTEGER, factorizations INTEGER,
     full_factorizations INTEGER, ranks INTEGER, solves INTEGER, products INTEGER, sweeps INTEGER,
     max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER,
-    unstable BLOB, farthest BLOB, loose BLOB, worst_block INTEGER, worst_share REAL, worst_force REAL);
+    unstable BLOB, farthest BLOB, loose BLOB, worst_block INTEGER, worst_share REAL, worst_force REAL,
+    awake INTEGER, movable INTEGER);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
     axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER);

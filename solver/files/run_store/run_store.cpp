@@ -97,6 +97,8 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_
     for (const double block : known(row.doubles(21)))
         result.loose.push_back(storedIndex(block, blocks));
     result.health.worst = {indexBelow(row.integer(22), -1, blocks), row.real(23), row.real(24)};
+    result.health.awake = static_cast<long>(row.integer(25));
+    result.health.movable = static_cast<long>(row.integer(26));
     return record;
 }
 
@@ -158,7 +160,7 @@ std::vector<StageRecord> RunStore::stages() const {
                                     "SELECT stage, outcome, time, steps, message, blocks, passes, step_cuts, "
                                     "energy_cuts, factorizations, full_factorizations, ranks, solves, products, sweeps, "
                                     "max_penetration_ratio, max_residual, balance_error, health_steps, "
-                                    "unstable, farthest, loose, worst_block, worst_share, worst_force "
+                                    "unstable, farthest, loose, worst_block, worst_share, worst_force, awake, movable "
                                     "FROM stages ORDER BY stage");
         while (statement.next())
             records.push_back(stageAt(statement, scene_, names_.size()));

@@ -155,7 +155,7 @@ constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALU
 constexpr const char* endStage =
     "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, energy_cuts=?, "
     "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=?, "
-    "unstable=?, farthest=?, loose=?, worst_block=?, worst_share=?, worst_force=? WHERE stage=?";
+    "unstable=?, farthest=?, loose=?, worst_block=?, worst_share=?, worst_force=?, awake=?, movable=? WHERE stage=?";
 constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame =
@@ -183,7 +183,7 @@ void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
     clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
           "step_cuts=NULL, energy_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, "
           "solves=NULL, products=NULL, sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
-          "health_steps=NULL, unstable=NULL, farthest=NULL, loose=NULL, worst_block=NULL, worst_share=NULL, worst_force=NULL "
+          "health_steps=NULL, unstable=NULL, farthest=NULL, loose=NULL, worst_block=NULL, worst_share=NULL, worst_force=NULL, awake=NULL, movable=NULL "
           "WHERE stage=?", from.stage);
 }
 
@@ -355,6 +355,7 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
         for (const std::vector<double>* numbers : {&unstable, &farthest, &loose})
             open.stageEnd.bind(std::span<const double>(*numbers));
         open.stageEnd.bind(std::int64_t{health.worst.block}).bind(health.worst.share).bind(health.worst.force);
+        open.stageEnd.bind(std::int64_t{health.awake}).bind(std::int64_t{health.movable});
         open.stageEnd.bind(std::int64_t{result.stage}).run();
         if (endsRun(scene_, result))
             open.database.run("DELETE FROM checkpoint");
