@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace keyblock {
 namespace {
@@ -85,18 +86,23 @@ void Watch::remember(const Event& event) const {
 /// Joints between blocks that sleep are as they were and are not looked at.
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
     const auto rests = [&](int block) { return model_.blocks[block].fixed || state.blocks[block].rest.asleep; };
-    std::map<Pair, Contact> now;
+    std::vector<Pair> now;  // in most scenes already in order, as the contacts are
+    auto hint = memory_.closed.begin();
     for (const Contact& c : state.contacts) {
         if ((rests(c.blockA) && rests(c.blockB)) || !isClosed(model_, c)) continue;
-        now.try_emplace(pairOf(model_, c), c);
+        const Pair pair = pairOf(model_, c);
+        if (now.empty() || now.back() != pair) {
+            now.push_back(pair);
+            hint = std::next(memory_.closed.insert_or_assign(hint, pair, c));
+        }
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
-        if (slides && memory_.slipped.insert(pairOf(model_, c)).second)
-            events.push_back(jointEvent(EventKind::JointSlip, c));
+        if (slides && memory_.slipped.insert(pair).second) events.push_back(jointEvent(EventKind::JointSlip, c));
     }
+    if (!std::is_sorted(now.begin(), now.end())) std::sort(now.begin(), now.end());
     std::erase_if(memory_.closed, [&](const auto& entry) {
         const auto& [pair, contact] = entry;
-        if ((rests(pair.first) && rests(pair.second)) || now.contains(pair)) return false;
+        if ((rests(pair.first) && rests(pair.second)) || std::binary_search(now.begin(), now.end(), pair)) return false;
         if (!memory_.opened.insert(pair).second) return true;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
                                         [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
@@ -104,7 +110,6 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
         return true;
     });
-    for (auto& [pair, contact] : now) memory_.closed.insert_or_assign(pair, std::move(contact));
 }
 
 void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
