@@ -179,12 +179,15 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
-    /// True for a contact that is barely closed or barely open, or whose friction is equally small: its state matters
-    /// less than a change of the factor.
+    /// True for a contact that is barely closed or barely open, or whose friction is equally small or, in motion, as
+    /// close to its limit: its state matters less than a change of the factor. In a search for equilibrium, contacts
+    /// close to their limits decide, and keeping their state in the factor costs iterations.
     bool isIndifferent(std::size_t i) const {
         const Link& link = problem_.links[i];
         if (link.law.kind != LawKind::Gap && link.kind != LinkKind::Friction) return false;
-        const double force = link.law.share * std::abs(link.law.stiffness * (trial_.strains[i] - link.law.offset));
+        double force = link.law.share * std::abs(link.law.stiffness * (trial_.strains[i] - link.law.offset));
+        if (problem_.moves && link.law.kind == LawKind::Capped)
+            force = std::min(force, std::abs(force - link.law.share * link.law.limit));
         const auto minor = [&](int body) { return body < 0 || force <= balance_->slack(body, settings_.tolerance); };
         return minor(link.a) && minor(link.b);
     }
