@@ -192,13 +192,14 @@ nlohmann::json measured(const Scene& scene) {
     const double timeStep = scene.stages.back().timeStep.value_or(1e-3);
     const UnitTimes unit = unitTimes(scene, timeStep);
     const bool dynamic = scene.stages.back().kind == StageKind::Dynamic;
+    const auto steps = dynamic ? static_cast<double>(std::max(1L, results.back().steps)) : solves;
     const double perStep = dynamic ? clock.perStep() : whole;
     return {{"blocks", sink.results.frames.back().blocks.size()},
             {"ms_per_step", perStep},
             {"F_ms", unit.factorization},
             {"S_ms", unit.backSubstitution},
-            {"step_in_F", unit.factorization > 0.0 ? nlohmann::json(perStep / unit.factorization) : nlohmann::json()},
-            {"iterations", static_cast<double>(health.passes) / solves},
+            {"step_in_F", dynamic && unit.factorization > 0.0 ? nlohmann::json(perStep / unit.factorization) : nlohmann::json()},
+            {"iterations", static_cast<double>(health.passes) / steps},
             {"factorizations", static_cast<double>(health.work.factorizations) / solves},
             {"work", workOf(health.work) / solves},
             {"cuts", health.stepCuts + health.energyCuts},

@@ -5,7 +5,7 @@
 wall    running bond of 1 m x 0.5 m bricks on a fixed slab, settled, then at rest
 tilt    the same with 20 degrees of friction and a body acceleration of g sin 25 degrees along it: it slides and topples
 tunnel  cells of 1 m between a fixed floor and fixed walls; those within 4 m of the middle are removed at once
-drift   the unbolted drift in about 1,000 blocks: the key block falls, the rest comes to rest
+drift   the sample drift-unbolted, and with more rock around it as drift-large: the key block falls, the rest comes to rest
 collapse  a horseshoe 11 m wide in three joint sets, static, without bolts
 """
 import json

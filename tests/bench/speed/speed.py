@@ -7,7 +7,7 @@
     speed.py page FILE PAGE                                       writes the measurements of FILE to a help page
     speed.py compare OLD NEW [--worse 1.2]                        exit code 1 if a scene has become slower
 
-Times are CPU times on one thread. If the last stage is static, the whole run counts as one step. `step/F` is a step over
+Times are CPU times on one thread. If the last stage is static, the whole run counts as one step and `step/F` is left out. `step/F` is a step over
 one numeric factorization of the same scene with all contacts closed, measured in the same run, so that results of
 different machines can be compared.
 """
@@ -50,7 +50,9 @@ def row(cells):
 
 
 def cell(entry, key, form):
-    return form.format(entry[key]) if entry[key] is not None else "-"
+    if entry[key] is None:
+        return "-"
+    return f"{entry[key]:,.0f}" if form == "{:.3g}" and entry[key] >= 1000 else form.format(entry[key])
 
 
 def measure(arguments):
