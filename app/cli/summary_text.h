@@ -18,7 +18,7 @@ namespace keyblock::cli {
 /// Solver diagnostics of all stages that have ended.
 struct RunHealth {
     double passesMean = 0.0;  // iterations per step
-    std::optional<double> awakeMean;  // share of the blocks that moved with the steps of dynamic stages; null: no such step
+    std::optional<double> awakeMean;  // share of the blocks awake in dynamic steps; null: no such step
     double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // per solved step
     long stepCuts = 0;
     long energyCuts = 0;

@@ -303,8 +303,12 @@ private:
     }
 
     SleepingStage dynamics() {
-        return {engine_, part_, loads_.loads(), [this](double t) { return loads_.at(t); },
-                dynamicSettings(scene_, stage()), sleepTolerance(scene_)};
+        return {engine_,
+                part_,
+                loads_.loads(),
+                [this](double t) { return loads_.at(t); },
+                dynamicSettings(scene_, stage()),
+                sleepTolerance(scene_)};
     }
 
     /// \return true if the run continues with another stage.
@@ -507,8 +511,8 @@ private:
     std::vector<SingleForce> forcesIn(const State& state) const {
         const LoadPoint at = ended_ ? *ended_ : loadsReached();
         if (isStatic()) return forcesAtRest(model_, state, loads_.loads(), at);
-        const std::optional<TakenStep> step =
-            now_.time > 0.0 ? lastStep(engine_, part_.get(), loads_.loads(), state) : std::nullopt;
+        const std::optional<TakenStep> step = now_.time > 0.0 ? lastStep(engine_, part_.get(), loads_.loads(), state)
+                                                              : std::nullopt;
         if (step) return forcesOver(model_, loads_.loads(), *step);
         return forcesAtStart(model_, state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }

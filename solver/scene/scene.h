@@ -52,7 +52,7 @@ struct Analysis {
     double shearRatio = 0.4;  // ratio of shear to normal contact stiffness
     double tolerance = 1e-4;  // iteration tolerance: unbalanced force relative to the acting forces
     int maxPasses = 40;  // iterations of a step before the time step or increment is reduced
-    double sleepTolerance = 1e-3;  // unbalanced force on a block at rest in a dynamic stage over its weight; 0: none rests
+    double sleepTolerance = 1e-3;  // unbalanced force on a sleeping block over its weight; 0: no block sleeps
     bool modelEverything = false;  // model parts that do not affect the results as well
 
     bool operator==(const Analysis&) const = default;

@@ -18,8 +18,8 @@ namespace keyblock {
 struct BlockRest {
     bool asleep = false;  // left out of the steps, with its velocity zero
     int quietSteps = 0;  // number of steps in succession in which it hardly moved
-    Eigen::Vector3d change = Eigen::Vector3d::Zero();  // of the force (along and across `BlockMotion::axis` [N]) and
-                                                       // the moment [N m] on it since it fell asleep
+    /// Change of the force along and across `BlockMotion::axis` [N] and of the moment [N m] since it fell asleep.
+    Eigen::Vector3d change = Eigen::Vector3d::Zero();
 
     bool operator==(const BlockRest&) const = default;
 };

@@ -86,8 +86,7 @@ std::vector<char> awakeBolts(const Model& model, const State& state) {
     return awake;
 }
 
-ScenePart::ScenePart(const Model& whole, const State& state, const Loads& loads, double reach)
-    : reach_(reach) {
+ScenePart::ScenePart(const Model& whole, const State& state, const Loads& loads, double reach) : reach_(reach) {
     choose(whole, state);
     makeModel(whole);
     makeLoads(loads);
@@ -208,7 +207,8 @@ void ScenePart::makeLoads(const Loads& whole) {
 
 bool ScenePart::holds(const State& whole, double ahead) const {
     for (std::size_t i = 0; i < blocks_.size(); ++i)
-        if (awake_[i] && farthestApart(boxOf(whole.blocks[blocks_[i]].corners), boxes_[i]) + ahead > reach_) return false;
+        if (awake_[i] && farthestApart(boxOf(whole.blocks[blocks_[i]].corners), boxes_[i]) + ahead > reach_)
+            return false;
     for (std::size_t b = 0; b < bolts_.size(); ++b) {
         const BoltMotion& bolt = whole.bolts[bolts_[b]];
         if (!acts(bolt) || farthestApart(boxOfBolt(bolt), boxes_[blocks_.size() + b]) + ahead > reach_) return false;

@@ -72,7 +72,7 @@ private:
     std::vector<int> blocks_, bolts_, glue_, supports_;  // indices in the whole scene, ascending
     std::vector<int> unknowns_;  // per unknown of the part: its index in the whole scene
     std::vector<int> forces_, pressures_, motions_, walls_;  // of the loads, likewise
-    std::vector<int> partBlock_, partBolt_;  // per block and bolt of the whole scene: index in the part; −1: not in it
+    std::vector<int> partBlock_, partBolt_;  // per block and bolt of the whole scene: index in the part, or −1
     std::vector<char> awake_;  // per block of the part
     std::vector<Box> boxes_;  // per block of the part, then per bolt, when the part was made
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr long sleepEvery = 10;  // steps between times at which blocks may fall asleep
 constexpr int mostWakings = 3;  // repetitions of a step with more blocks, after which all wake
-constexpr long stepsAPass = 10;  // steps in which nothing moves cost as much as one iteration, from which checkpoints follow
+constexpr long stepsAPass = 10;  // number of steps in which nothing moves that counts as one iteration
 constexpr double reachShare = 0.25;  // of the smallest block's size: minimum range of a part around what is awake
 constexpr double reachAhead = 4.0;  // times the range of the contact search of one step
 
@@ -64,13 +64,12 @@ void addLoads(const BlockForces& loads, PartInUse& use) {
 }  // namespace
 
 SleepingStage::SleepingStage(Engine& engine, std::unique_ptr<PartInUse>& part, const Loads& loads,
-                             std::function<LoadPoint(double)> loadsAt, const DynamicSettings& settings, double tolerance)
+                             std::function<LoadPoint(double)> loadsAt, const DynamicSettings& settings,
+                             double tolerance)
     : engine_(engine), part_(part), loads_(loads), loadsAt_(loadsAt), settings_(settings),
       whole_(engine, loads, std::move(loadsAt), settings), tolerance_(tolerance) {}
 
-StepEnding SleepingStage::begin(State& state) {
-    return whole_.begin(state);
-}
+StepEnding SleepingStage::begin(State& state) { return whole_.begin(state); }
 
 SleepLimits SleepingStage::limitsAt(double time) const {
     return {tolerance_, settings_.timeStep, tolerance_ > 0.0 ? weightPerMass(engine_.model, loadsAt_(time)) : 0.0};
@@ -86,10 +85,11 @@ StepEnding SleepingStage::step(State& state, double& time, double end, DynamicPa
                             : stepOfWhole(state, time, end, pace, observer);
 }
 
-StepEnding SleepingStage::stepOfWhole(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
+StepEnding SleepingStage::stepOfWhole(State& state, double& time, double end, DynamicPace& pace,
+                                      StepObserver& observer) {
     part_.reset();
     FoundStep found;
-    const StepEnding ending = whole_.find(state, time, end, pace, found);
+    StepEnding ending = whole_.find(state, time, end, pace, found);
     if (ending.ending != Ending::Done) return ending;
     const double dt = found.dt;
     whole_.take(std::move(found), state, time, end, pace, observer);
@@ -105,7 +105,8 @@ void SleepingStage::count(const Engine& engine, double dt, double time, State& s
     for (BlockMotion& block : state.blocks) block.rest.quietSteps = 0;
 }
 
-StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
+StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, DynamicPace& pace,
+                                     StepObserver& observer) {
     const Model& model = engine_.model;
     for (int wakings = 0;; ++wakings) {
         if (wakings == mostWakings) wakeAll(state);
@@ -119,7 +120,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
         if (!still) {
             prepare(state, time, dt, pace);
             own = part_->part.stateOf(state);
-            const StepEnding ending = find(own, time, end, next, found);
+            StepEnding ending = find(own, time, end, next, found);
             if (ending.ending == Ending::Stopped) return ending;
             if (ending.ending != Ending::Done || next.dt < pace.dt) {  // perhaps because of what is held
                 engine_.health.stepCuts = health.stepCuts;

@@ -20,8 +20,9 @@ struct PartInUse {
     ScenePart part;
     Engine engine;
     LoadPoint at;  // loads of the whole scene in the last step
-    BlockForces before;  // per block of the part that sleeps: the forces of its links when it fell asleep, or what they
-                         // would have been if the same links had been part of the step
+    /// Per block of the part that sleeps: the forces of its links when it fell asleep. If it had other links then, the
+    /// present forces minus their change since.
+    BlockForces before;
 
     PartInUse(const Model& whole, const State& state, const Loads& loads, double reach)
         : part(whole, state, loads, reach), engine(part.model()) {}
@@ -45,7 +46,8 @@ private:
     void prepare(const State& state, double time, double dt, const DynamicPace& pace);
     DynamicStage partStage() const;
     StepEnding find(const State& own, double time, double end, DynamicPace& pace, FoundStep& found);
-    void take(FoundStep found, State& state, State own, double& time, double end, DynamicPace& pace, StepObserver& observer);
+    void take(FoundStep found, State& state, State own, double& time, double end, DynamicPace& pace,
+              StepObserver& observer);
     void count(const Engine& engine, double dt, double time, State& state) const;
     SleepLimits limitsAt(double time) const;
 

@@ -268,7 +268,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
 
 StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
     FoundStep found;
-    const StepEnding ending = find(state, time, end, pace, found);
+    StepEnding ending = find(state, time, end, pace, found);
     if (ending.ending == Ending::Done) take(std::move(found), state, time, end, pace, observer);
     return ending;
 }

@@ -127,7 +127,7 @@ void sample(int) { samples[static_cast<int>(currentPhase)] = samples[static_cast
 
 /// Counts, from now on, the milliseconds of CPU time that the program works on each phase.
 void startSampling() {
-    struct sigaction action{};
+    struct sigaction action {};
     action.sa_handler = sample;
     action.sa_flags = SA_RESTART;
     sigaction(SIGPROF, &action, nullptr);
@@ -198,14 +198,15 @@ nlohmann::json measured(const Scene& scene) {
             {"ms_per_step", perStep},
             {"F_ms", unit.factorization},
             {"S_ms", unit.backSubstitution},
-            {"step_in_F", dynamic && unit.factorization > 0.0 ? nlohmann::json(perStep / unit.factorization) : nlohmann::json()},
+            {"step_in_F",
+             dynamic && unit.factorization > 0.0 ? nlohmann::json(perStep / unit.factorization) : nlohmann::json()},
             {"iterations", static_cast<double>(health.passes) / steps},
             {"factorizations", static_cast<double>(health.work.factorizations) / solves},
             {"work", workOf(health.work) / solves},
             {"cuts", health.stepCuts + health.energyCuts},
-            {"awake", health.movable > 0 ? nlohmann::json(static_cast<double>(health.awake) /
-                                                          static_cast<double>(health.movable))
-                                         : nlohmann::json()},
+            {"awake", health.movable > 0
+                          ? nlohmann::json(static_cast<double>(health.awake) / static_cast<double>(health.movable))
+                          : nlohmann::json()},
             {"shares", shares()},
             {"run_s", 1e-3 * whole},
             {"memory_MB", static_cast<double>(usage.ru_maxrss) / 1024.0}};

@@ -195,8 +195,8 @@ StageResult ended(int stage, Outcome outcome, double time, long steps) {
     result.outcome = outcome;
     result.time = time;
     result.steps = steps;
-    result.health = {steps, 3 * steps, 1, 2, {2 * steps, steps, 5, 4 * steps, 9 * steps, 7}, 40 * steps, 50 * steps, 1e-7, 9e-5, 1e-6,
-                     {stage, 1e-4, 3.5}};
+    const StepWork work{2 * steps, steps, 5, 4 * steps, 9 * steps, 7};
+    result.health = {steps, 3 * steps, 1, 2, work, 40 * steps, 50 * steps, 1e-7, 9e-5, 1e-6, {stage, 1e-4, 3.5}};
     result.farthest = {1, Movement::Falls, 0.25, 2e4};
     if (outcome != Outcome::Equilibrium) result.unstable = {result.farthest, {0, Movement::Follows, 0.1, 3e4}};
     result.loose = {stage};

@@ -126,7 +126,8 @@ TEST(Checkpoints, ARunWhoseRockAndBoltsComeAndGoGoesOn) {
 TEST(Checkpoints, ARunInWhichBlocksSleepGoesOn) {
     Scene scene = sliding(1.2);
     scene.blocks = {boxBlock("base", {-1, -1}, {14, 0}), boxBlock("slides", {0, 0}, {1, 1})};
-    for (int i = 0; i < 4; ++i) scene.blocks.push_back(boxBlock("p" + std::to_string(i), {5, 0.5 * i}, {6, 0.5 * i + 0.5}));
+    for (int i = 0; i < 4; ++i)
+        scene.blocks.push_back(boxBlock("p" + std::to_string(i), {5, 0.5 * i}, {6, 0.5 * i + 0.5}));
     scene.analysis.gravity = {0.0, -9.81};
     scene.stages[0].initialVelocities = {{{0.5, 0.5}, {7.0, 0.0}}};
     expectTheSameFromEveryCheckpoint(scene, 3);

@@ -62,8 +62,8 @@ Scene wall(int columns, int rows, double duration) {
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const Point low(column + 0.5 * (row % 2), 0.5 * row);
-            scene.blocks.push_back(boxBlock("r" + std::to_string(row) + "c" + std::to_string(column), low,
-                                            low + Point(1.0, 0.5)));
+            scene.blocks.push_back(
+                boxBlock("r" + std::to_string(row) + "c" + std::to_string(column), low, low + Point(1.0, 0.5)));
         }
     Support support;
     support.blockAt = Point(0.5, -0.5);
@@ -94,7 +94,8 @@ TEST(Sleep, AWallAtRestIsLeftOutOfTheSteps) {
     EXPECT_EQ(awakeShare(both.everything), 1.0);
     EXPECT_LE(awakeShare(both.sleeping), 0.16);  // of 200 steps, the first 20 and up to 10 more
     EXPECT_LT(apart(both), 1e-9);
-    EXPECT_NEAR(both.sleeping.stages.back().health.balanceError, both.everything.stages.back().health.balanceError, 1e-6);
+    EXPECT_NEAR(both.sleeping.stages.back().health.balanceError, both.everything.stages.back().health.balanceError,
+                1e-6);
 }
 
 TEST(Sleep, AZeroToleranceKeepsEverythingAwake) {
@@ -116,7 +117,8 @@ TEST(Sleep, WithoutWeightNothingSleeps) {
 /// 1 kN on a brick, of which the friction under it carries all.
 TEST(Sleep, ALoadWakesTheWall) {
     Scene scene = wall(6, 6, 0.2);
-    scene.stages.back().loads = {forceAt({5.7, 2.9}, {1000.0, 0.0}, {{0.0, 0.0}, {0.1, 0.0}, {0.1001, 1.0}, {0.2, 1.0}})};
+    scene.stages.back().loads = {
+        forceAt({5.7, 2.9}, {1000.0, 0.0}, {{0.0, 0.0}, {0.1, 0.0}, {0.1001, 1.0}, {0.2, 1.0}})};
     const Both both = runBoth(scene);
     EXPECT_LT(awakeShare(both.sleeping), 0.7);
     EXPECT_LT(apart(both), 1e-6 * 0.5);  // of a brick's height
@@ -126,7 +128,8 @@ TEST(Sleep, ALoadWakesTheWall) {
 /// 12 kN are more than friction carries: the brick slides off.
 TEST(Sleep, ALoadPushesASleepingBrickAway) {
     Scene scene = wall(4, 4, 0.4);
-    scene.stages.back().loads = {forceAt({3.9, 1.9}, {12000.0, 0.0}, {{0.0, 0.0}, {0.1, 0.0}, {0.1001, 1.0}, {0.4, 1.0}})};
+    scene.stages.back().loads = {
+        forceAt({3.9, 1.9}, {12000.0, 0.0}, {{0.0, 0.0}, {0.1, 0.0}, {0.1001, 1.0}, {0.4, 1.0}})};
     const Both both = runBoth(scene);
     const Point slid = both.everything.frames.back().blocks.back().displacement;
     EXPECT_GT(slid.x(), 0.05);
@@ -270,7 +273,8 @@ TEST_P(CreepingScenes, HaveTheSameEventsAndPlaces) {
     if (GetParam() < moveAllTheTime) EXPECT_EQ(awakeShare(both.sleeping), 1.0);
     else EXPECT_LT(awakeShare(both.sleeping), 0.8);
     double moved = 0.0;
-    for (const BlockState& block : both.everything.frames.back().blocks) moved = std::max(moved, block.displacement.norm());
+    for (const BlockState& block : both.everything.frames.back().blocks)
+        moved = std::max(moved, block.displacement.norm());
     EXPECT_LT(apart(both), std::max(1e-7, 1e-3 * moved)) << moved;
 }
 

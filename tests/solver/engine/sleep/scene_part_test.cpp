@@ -24,7 +24,8 @@ protected:
     ScenePartTest() : model_(makeModel(row())), state_(makeState(model_)) {
         state_.contacts = findContacts(model_, state_.blocks, {}, 1e-3, true);
         placeBolts(model_, state_);
-        for (std::size_t i = 0; i < state_.contacts.size(); ++i) state_.contacts[i].slip = 1e-3 * static_cast<double>(i);
+        for (std::size_t i = 0; i < state_.contacts.size(); ++i)
+            state_.contacts[i].slip = 1e-3 * static_cast<double>(i);
         for (std::size_t i = 1; i < state_.blocks.size(); ++i) state_.blocks[i].rest.asleep = true;
     }
 
