@@ -86,20 +86,23 @@ void Watch::remember(const Event& event) const {
 /// Joints between blocks that sleep are as they were and are not looked at.
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
     const auto rests = [&](int block) { return model_.blocks[block].fixed || state.blocks[block].rest.asleep; };
-    std::vector<Pair> now;  // in most scenes already in order, as the contacts are
+    std::vector<Pair> now;  // sorted
+    // contacts are sorted by pair, but for those of blocks divided into cells
+    const auto isFirst = [&](const Pair& pair) {
+        const auto at = now.empty() || now.back() < pair ? now.end() : std::lower_bound(now.begin(), now.end(), pair);
+        if (at != now.end() && *at == pair) return false;
+        now.insert(at, pair);
+        return true;
+    };
     auto hint = memory_.closed.begin();
     for (const Contact& c : state.contacts) {
         if ((rests(c.blockA) && rests(c.blockB)) || !isClosed(model_, c)) continue;
         const Pair pair = pairOf(model_, c);
-        if (now.empty() || now.back() != pair) {
-            now.push_back(pair);
-            hint = std::next(memory_.closed.insert_or_assign(hint, pair, c));
-        }
+        if (isFirst(pair)) hint = std::next(memory_.closed.insert_or_assign(hint, pair, c));
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
         if (slides && memory_.slipped.insert(pair).second) events.push_back(jointEvent(EventKind::JointSlip, c));
     }
-    if (!std::is_sorted(now.begin(), now.end())) std::sort(now.begin(), now.end());
     std::erase_if(memory_.closed, [&](const auto& entry) {
         const auto& [pair, contact] = entry;
         if ((rests(pair.first) && rests(pair.second)) || std::binary_search(now.begin(), now.end(), pair)) return false;

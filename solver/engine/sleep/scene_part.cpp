@@ -58,6 +58,11 @@ void renumberSlots(std::vector<Slot>& slots, Renumber block) {
     for (Slot& slot : slots) slot.block = block(slot.block);
 }
 
+/// True for the damping of a bond between cells; other damping is that of a bolt.
+bool ofCells(const Link& link, const StepProblem& whole) {
+    return link.kind == LinkKind::Drag && link.a < whole.blocks && link.b >= 0 && link.b < whole.blocks;
+}
+
 double farthestApart(const Box& a, const Box& b) {
     return std::max((a.min - b.min).cwiseAbs().maxCoeff(), (a.max - b.max).cwiseAbs().maxCoeff());
 }
@@ -80,8 +85,9 @@ std::vector<char> awakeBolts(const Model& model, const State& state) {
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         if (!acts(state.bolts[b])) continue;
         const std::vector<int> blocks = blocksOf(model.bolts[b], state.bolts[b]);
-        awake[b] = blocks.empty() ||
-                   std::any_of(blocks.begin(), blocks.end(), [&](int block) { return isAwake(model, state, block); });
+        const auto any = [&](const auto& isSo) { return std::any_of(blocks.begin(), blocks.end(), isSo); };
+        awake[b] = !any([&](int block) { return state.blocks[block].rest.asleep; }) ||
+                   any([&](int block) { return isAwake(model, state, block); });
     }
     return awake;
 }
@@ -98,9 +104,20 @@ ScenePart::ScenePart(const Model& whole, const State& state, const Loads& loads,
     for (int bolt : bolts_) boxes_.push_back(boxOfBolt(state.bolts[bolt]));
 }
 
+/// Adds the bolts that a block which is awake may reach.
+void ScenePart::addReached(const Model& whole, const State& state, std::vector<char>& bolts) const {
+    for (std::size_t b = 0; b < bolts.size(); ++b) {
+        if (bolts[b] || !acts(state.bolts[b])) continue;
+        const Box box = grown(boxOfBolt(state.bolts[b]), reach_);
+        for (std::size_t i = 0; i < whole.blocks.size() && !bolts[b]; ++i)
+            bolts[b] = isAwake(whole, state, i) && meets(box, boxOf(state.blocks[i].corners));
+    }
+}
+
 /// Chooses the blocks and bolts of the part; of a block that is divided into cells, all cells.
 void ScenePart::choose(const Model& whole, const State& state) {
-    const std::vector<char> bolts = awakeBolts(whole, state);
+    std::vector<char> bolts = awakeBolts(whole, state);
+    addReached(whole, state, bolts);
     std::vector<char> chosen(whole.blocks.size(), 0);
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = isAwake(whole, state, i);
     partBolt_.assign(bolts.size(), -1);
@@ -153,17 +170,21 @@ void ScenePart::makeModel(const Model& whole) {
     model_.analysis = whole.analysis;
     model_.blocks = picked(whole.blocks, blocks_);
     const int rocks = static_cast<int>(whole.firstOf.size()) - 1;
+    std::vector<int> partRock(rocks, -1);
     for (int rock = 0; rock < rocks; ++rock) {
         if (whole.firstOf[rock] == whole.firstOf[rock + 1] || partBlock_[whole.firstOf[rock]] < 0) continue;
         const int first = partBlock_[whole.firstOf[rock]], cells = whole.firstOf[rock + 1] - whole.firstOf[rock];
-        for (int cell = first; cell < first + cells; ++cell)
-            model_.blocks[cell].rock = static_cast<int>(model_.firstOf.size());
+        partRock[rock] = static_cast<int>(model_.firstOf.size());
+        for (int cell = first; cell < first + cells; ++cell) model_.blocks[cell].rock = partRock[rock];
         model_.firstOf.push_back(first);
     }
     const auto plates = std::lower_bound(blocks_.begin(), blocks_.end(), whole.firstOf.back());
     model_.firstOf.push_back(static_cast<int>(plates - blocks_.begin()));
-    for (BlockModel& block : model_.blocks)
-        if (block.plateOf >= 0) block.plateOf = partBolt_[block.plateOf] >= 0 ? partBolt_[block.plateOf] : 0;
+    for (BlockModel& block : model_.blocks) {
+        if (block.plateOf < 0) continue;
+        if (block.rock >= 0) block.rock = partRock[block.rock];
+        block.plateOf = std::max(0, partBolt_[block.plateOf]);  // it remains a plate if its bolt sleeps
+    }
     glue_ = indicesWhere(whole.glue, [&](const GlueModel& glue) { return partOf(glue.a) >= 0; });
     model_.glue = picked(whole.glue, glue_);
     for (GlueModel& glue : model_.glue) glue.a = part(glue.a), glue.b = part(glue.b);
@@ -280,7 +301,8 @@ void ScenePart::writeBack(const State& part, State& whole) const {
         renumberSlots(whole.bolts[bolts_[b]].slots, inWhole);
     }
     whole.openings = part.openings;
-    putBack(part.acceleration, unknowns_, whole.acceleration);
+    for (std::size_t i = 0; i < part.acceleration.size(); ++i)
+        if (i >= 6 * blocks_.size() || awake_[i / 6]) whole.acceleration[unknowns_[i]] = part.acceleration[i];
     whole.energy = part.energy;
     whole.startEnergy = part.startEnergy;
     whole.step = part.step;
@@ -302,9 +324,9 @@ std::vector<Link> ScenePart::joinLinks(const StepProblem& part, const StepProble
         link.a = wholeBody(part, link.a, whole.blocks);
         if (link.b >= 0) link.b = wholeBody(part, link.b, whole.blocks);
         if (ofContact(link.kind)) link.owner = contacts[link.owner];
-        else if (link.kind == LinkKind::Glue) link.owner = glue_[link.owner];
+        else if (link.kind == LinkKind::Glue || ofCells(link, whole)) link.owner = glue_[link.owner];
         else if (link.kind == LinkKind::Support) link.owner = supports_[link.owner];
-        else if (link.kind != LinkKind::Drag) link.owner = wholeBolt(link.owner);
+        else link.owner = wholeBolt(link.owner);
     }
     for (const Link& link : whole.links)
         if (!inPart[link.a] || (link.b >= 0 && !inPart[link.b])) links.push_back(link);

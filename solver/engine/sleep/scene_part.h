@@ -22,8 +22,8 @@ bool isAwake(const Model& model, const State& state, std::size_t block);
 /// The blocks that a bolt crosses or is held by.
 std::vector<int> blocksOf(const BoltModel& bolt, const BoltMotion& motion);
 
-/// Per bolt: true if it acts and crosses or is held by a block that is awake, or by none at all. Other bolts rest with
-/// their blocks.
+/// Per bolt: true if it acts, unless all blocks that it crosses or is held by are asleep or fixed and at least one of
+/// them sleeps: then it rests with them.
 std::vector<char> awakeBolts(const Model& model, const State& state);
 
 class ScenePart {
@@ -57,6 +57,7 @@ public:
 
 private:
     void choose(const Model& whole, const State& state);
+    void addReached(const Model& whole, const State& state, std::vector<char>& bolts) const;
     void addNear(const Model& whole, const State& state, std::vector<char>& chosen) const;
     void makeModel(const Model& whole);
     void makeLoads(const Loads& whole);

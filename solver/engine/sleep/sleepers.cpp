@@ -3,6 +3,8 @@
 #include "solver/engine/sleep/sleepers.h"
 
 #include "solver/engine/sleep/scene_part.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/friction_limits.h"
 #include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
@@ -13,6 +15,7 @@ namespace keyblock {
 namespace {
 
 constexpr int quietSteps = 20;  // number after which a block falls asleep
+constexpr double countedStep = 0.5;  // over the time step of the stage: shorter steps do not count
 constexpr int fewestRings = 2;  // of blocks around a disturbed block that wake with it
 
 /// Largest speed of a block's corners over a step, from above [m/s].
@@ -36,10 +39,31 @@ double judgedMass(const Model& model, std::size_t block) {
     return std::max(own.mass, model.blocks[model.firstOf[own.rock]].mass);
 }
 
+/// Most that may be left unbalanced on a sleeping block [N].
+double mostLeft(const Model& model, std::size_t block, const SleepLimits& limits) {
+    return limits.tolerance * limits.weight * judgedMass(model, block);
+}
+
+/// The larger of a force and of a moment over the size of the block [N].
+double sizeOf(const BlockModel& block, const Eigen::Vector3d& force) {
+    return std::max(force.head<2>().norm(), std::abs(force[2]) / block.size);
+}
+
 /// Change of the force or moment on a block over the most that is allowed while it sleeps.
 double disturbance(const Model& model, std::size_t block, const SleepLimits& limits, const Eigen::Vector3d& change) {
-    const double most = limits.tolerance * limits.weight * judgedMass(model, block);
-    return std::max(change.head<2>().norm(), std::abs(change[2]) / model.blocks[block].size) / most;
+    return sizeOf(model.blocks[block], change) / mostLeft(model, block, limits);
+}
+
+/// What steps may leave unbalanced on each block at the tolerance of the scene [N].
+std::vector<double> stepNoise(const Model& model, const StepProblem& problem) {
+    std::vector<double> noise(model.blocks.size(), 0.0);
+    for (const Link& link : problem.links) {
+        const double force = link.law.share * std::abs(respond(link.law, link.strain).force);
+        for (const auto& [body, gradient] : {std::pair(link.a, &link.ga), std::pair(link.b, &link.gb)})
+            if (body >= 0 && body < problem.blocks)
+                noise[body] += model.analysis.tolerance * force * gradient->head<2>().norm();
+    }
+    return noise;
 }
 
 /// Number of rings of blocks around a disturbed block that wake with it. In a plane the stress under a force falls with
@@ -72,6 +96,14 @@ void addForce(const Model& part, const Link& link, double force, BlockForces& fo
             forces[body] -= link.law.share * force * gradient->head<3>();
 }
 
+/// Keeps a mark only where all cells of a block have it.
+void keepWhole(const Model& model, std::vector<char>& marks) {
+    for (int i = 0; i < static_cast<int>(marks.size()); i = endOfWhole(model, i)) {
+        const auto first = marks.begin() + i, end = marks.begin() + endOfWhole(model, i);
+        if (!std::all_of(first, end, [](char mark) { return mark; })) std::fill(first, end, 0);
+    }
+}
+
 BlockForces noForces(const Model& model) { return BlockForces(model.blocks.size(), Eigen::Vector3d::Zero()); }
 
 }  // namespace
@@ -87,6 +119,7 @@ bool anyAsleep(const State& state) {
 }
 
 bool isAllAsleep(const Model& model, const State& state) {
+    if (!anyAsleep(state)) return false;
     for (std::size_t i = 0; i < state.blocks.size(); ++i)
         if (isAwake(model, state, i)) return false;
     const std::vector<char> bolts = awakeBolts(model, state);
@@ -95,11 +128,12 @@ bool isAllAsleep(const Model& model, const State& state) {
 
 void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, const SleepLimits& limits, State& state) {
     const double most = limits.tolerance * limits.weight * limits.timeStep;
+    const bool counts = dt >= countedStep * limits.timeStep;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         if (!isAwake(model, state, i)) continue;
         const double speed = blockSpeed(model.blocks[i], d.segment<6>(6 * static_cast<Eigen::Index>(i)), dt);
         int& quiet = state.blocks[i].rest.quietSteps;
-        quiet = speed <= most ? quiet + 1 : 0;
+        quiet = speed <= most ? quiet + counts : 0;
     }
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         if (!acts(state.bolts[b]) || boltSpeed(model, model.bolts[b], d, dt) <= most) continue;
@@ -107,28 +141,39 @@ void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, co
     }
 }
 
-bool fallAsleep(const Model& model, const Loads& loads, State& state) {
+std::vector<char> mayFallAsleep(const Model& model, const Loads& loads, const State& state) {
     std::vector<char> may(model.blocks.size(), 0);
     for (std::size_t i = 0; i < may.size(); ++i)
         may[i] = isAwake(model, state, i) && state.blocks[i].rest.quietSteps >= quietSteps;
     for (const PrescribedMotion& motion : loads.motions) may[motion.block] = 0;
-    const double before = kineticEnergy(model, state);
-    bool any = false;
-    for (int i = 0; i < static_cast<int>(may.size()); i = endOfWhole(model, i)) {
-        const int end = endOfWhole(model, i);
-        if (!std::all_of(may.begin() + i, may.begin() + end, [](char one) { return one; })) continue;
-        any = true;
-        for (int cell = i; cell < end; ++cell) {
-            state.blocks[cell].rest = {true, 0, Eigen::Vector3d::Zero()};
-            state.blocks[cell].velocity.setZero();
-            for (int k = 6 * cell; k < 6 * cell + 6 && !state.acceleration.empty(); ++k) state.acceleration[k] = 0.0;
-        }
+    keepWhole(model, may);
+    return may;
+}
+
+bool fallAsleep(const Model& model, const Loads& loads, const LoadPoint& at, const SleepLimits& limits,
+                std::vector<char> may, State& state) {
+    StepProblem problem = buildStep(model, state, loads, at, {Inertia::None});
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    correctFrictionLimits(problem, still);
+    const Eigen::VectorXd net = netForce(problem, still);
+    const std::vector<double> noise = stepNoise(model, problem);
+    for (std::size_t i = 0; i < may.size(); ++i) {
+        const Eigen::Vector3d left = net.segment<3>(6 * static_cast<Eigen::Index>(i));
+        const double most = std::max(mostLeft(model, i, limits), noise[i]);
+        may[i] = may[i] && sizeOf(model.blocks[i], left) <= most;
     }
-    if (!any) return false;
+    keepWhole(model, may);
+    if (std::none_of(may.begin(), may.end(), [](char one) { return one; })) return false;
+    const double before = kineticEnergy(model, state);
+    for (std::size_t i = 0; i < may.size(); ++i) {
+        if (!may[i]) continue;
+        state.blocks[i].rest = {true, 0, Eigen::Vector3d::Zero()};
+        state.blocks[i].velocity.setZero();
+    }
     const std::vector<char> bolts = awakeBolts(model, state);
     for (std::size_t b = 0; b < bolts.size(); ++b)
         for (BoltNode& node : state.bolts[b].nodes)
-            if (!bolts[b]) node.velocity.setZero();
+            if (acts(state.bolts[b]) && !bolts[b]) node.velocity.setZero();
     state.energy.damped += before - kineticEnergy(model, state);
     return true;
 }

@@ -27,19 +27,24 @@ struct SleepLimits {
 
 bool anyAsleep(const State& state);
 
-/// True if no block moves with the steps and no bolt does.
+/// True if blocks sleep and no block or bolt moves with the steps.
 bool isAllAsleep(const Model& model, const State& state);
 
 /// Counts the steps in succession in which each block that is awake hardly moved: no faster than the speed that an
-/// unbalanced force at the tolerance gives it in one step. A block is not quiet while a bolt that crosses it moves
-/// faster.
+/// unbalanced force at the tolerance gives it in one step of the stage. Much shorter steps are not counted. A block is
+/// not quiet while a bolt that crosses it moves faster.
 /// \param d the displacement over the step, per unknown. \param dt the length of the step [s].
 void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, const SleepLimits& limits, State& state);
 
-/// Lets blocks fall asleep that have been quiet long enough, and the bolts that cross no other. Their kinetic energy
-/// counts as damped. Blocks with a prescribed motion stay awake.
-/// \return true if any fell asleep.
-bool fallAsleep(const Model& model, const Loads& loads, State& state);
+/// Blocks that have been quiet long enough to fall asleep, of a block that is divided into cells all or none. Blocks
+/// with a prescribed motion stay awake.
+std::vector<char> mayFallAsleep(const Model& model, const Loads& loads, const State& state);
+
+/// Lets those of the blocks `may` fall asleep on which the forces balance, to the tolerance of sleep or to what steps
+/// may leave there, and the bolts that cross no other. Their
+/// kinetic energy counts as damped. \param at the present loads. \return true if any fell asleep.
+bool fallAsleep(const Model& model, const Loads& loads, const LoadPoint& at, const SleepLimits& limits,
+                std::vector<char> may, State& state);
 
 /// Forces of links on the sleeping blocks of a part of the scene, at the start of a step and at its end.
 BlockForces linkForces(const Model& part, const StepProblem& problem);

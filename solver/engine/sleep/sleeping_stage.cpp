@@ -48,6 +48,16 @@ private:
     bool any_ = false;
 };
 
+/// Per body of a step, blocks first, then bolt nodes: true if it sleeps.
+std::vector<char> sleepingBodies(const Model& model, const State& state) {
+    std::vector<char> sleeping;
+    for (const BlockMotion& block : state.blocks) sleeping.push_back(block.rest.asleep);
+    const std::vector<char> bolts = awakeBolts(model, state);
+    for (std::size_t b = 0; b < bolts.size(); ++b)
+        sleeping.insert(sleeping.end(), model.bolts[b].s.size(), acts(state.bolts[b]) && !bolts[b]);
+    return sleeping;
+}
+
 /// Replaces the changes of the forces on the blocks of the part.
 /// \param now the forces of their links. \param changes per block of the whole scene.
 void takeChanges(const PartInUse& use, const BlockForces& now, BlockForces& changes) {
@@ -79,10 +89,40 @@ StepEnding SleepingStage::step(State& state, double& time, double end, DynamicPa
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
     const double dt = std::min(pace.dt, end - time);
     const std::vector<double> openings = loadsAt_(time + dt).openings;
-    if (!openings.empty() && openings != state.openings) wakeAll(state);
-    if (tolerance_ > 0.0 && state.step % sleepEvery == 0 && fallAsleep(engine_.model, loads_, state)) part_.reset();
+    const bool dilates = !openings.empty() && openings != state.openings;
+    if (dilates || !limitsAt(time + dt).allow()) wakeAllAt(time, state);
+    if (tolerance_ > 0.0 && state.step % sleepEvery == 0) fallAsleepAt(time, state);
     return anyAsleep(state) ? stepOfPart(state, time, end, pace, observer)
                             : stepOfWhole(state, time, end, pace, observer);
+}
+
+void SleepingStage::fallAsleepAt(double time, State& state) {
+    std::vector<char> may = mayFallAsleep(engine_.model, loads_, state);
+    if (std::none_of(may.begin(), may.end(), [](char one) { return one; })) return;
+    if (fallAsleep(engine_.model, loads_, loadsAt_(time), limitsAt(time), std::move(may), state)) part_.reset();
+}
+
+/// Gives what has woken the accelerations with which it starts, if the scheme uses any.
+/// \param slept per body of a step: it slept before.
+void SleepingStage::startMoving(const std::vector<char>& slept, double time, State& state) const {
+    const std::vector<char> now = sleepingBodies(engine_.model, state);
+    std::vector<char> woken(slept.size(), 0);
+    for (std::size_t i = 0; i < slept.size(); ++i) woken[i] = slept[i] && !now[i];
+    whole_.setAccelerations(state, time, woken);
+}
+
+void SleepingStage::wakeAllAt(double time, State& state) const {
+    if (!anyAsleep(state)) return;
+    const std::vector<char> slept = sleepingBodies(engine_.model, state);
+    wakeAll(state);
+    startMoving(slept, time, state);
+}
+
+bool SleepingStage::wakeDisturbedAt(double time, double dt, const BlockForces& changes, State& state) const {
+    const std::vector<char> slept = sleepingBodies(engine_.model, state);
+    if (!wakeDisturbed(engine_.model, limitsAt(time + dt), changes, state)) return false;
+    startMoving(slept, time, state);
+    return true;
 }
 
 StepEnding SleepingStage::stepOfWhole(State& state, double& time, double end, DynamicPace& pace,
@@ -99,9 +139,10 @@ StepEnding SleepingStage::stepOfWhole(State& state, double& time, double end, Dy
 
 /// Counts the quiet steps after a step that ended at `time`. While loads change, nothing comes to rest.
 void SleepingStage::count(const Engine& engine, double dt, double time, State& state) const {
+    const SleepLimits limits = limitsAt(time);
     if (tolerance_ <= 0.0) return;
-    if (isSameForce(loadsAt_(time - dt), loadsAt_(time)))
-        return countQuietSteps(engine.model, engine.taken.d, dt, limitsAt(time), state);
+    if (limits.allow() && isSameForce(loadsAt_(time - dt), loadsAt_(time)))
+        return countQuietSteps(engine.model, engine.taken.d, dt, limits, state);
     for (BlockMotion& block : state.blocks) block.rest.quietSteps = 0;
 }
 
@@ -109,7 +150,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
                                      StepObserver& observer) {
     const Model& model = engine_.model;
     for (int wakings = 0;; ++wakings) {
-        if (wakings == mostWakings) wakeAll(state);
+        if (wakings == mostWakings) wakeAllAt(time, state);
         if (!anyAsleep(state)) return stepOfWhole(state, time, end, pace, observer);
         DynamicPace next = pace;
         FoundStep found;
@@ -125,7 +166,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
             if (ending.ending != Ending::Done || next.dt < pace.dt) {  // perhaps because of what is held
                 engine_.health.stepCuts = health.stepCuts;
                 engine_.health.energyCuts = health.energyCuts;
-                wakeAll(state);
+                wakeAllAt(time, state);
                 continue;
             }
             if (!part_->part.holds(state, partStage().searchRange(own, found.dt, next))) {
@@ -139,7 +180,7 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
         if (!still) takeChanges(*part_, linkForces(part_->part.model(), found.taken.problem, found.taken.d), changes);
         const BlockForces loads = loadChanges(model, state, loads_, loadsAt_(time), loadsAt_(time + dt));
         for (std::size_t i = 0; i < loads.size(); ++i) changes[i] += loads[i];
-        if (wakeDisturbed(model, limitsAt(time + dt), changes, state)) {
+        if (wakeDisturbedAt(time, dt, changes, state)) {
             part_.reset();
             continue;
         }
@@ -199,6 +240,7 @@ StepEnding SleepingStage::find(const State& own, double time, double end, Dynami
     engine.health = engine_.health;
     StepEnding ending = partStage().find(own, time, end, pace, found);
     engine_.health = engine.health;
+    engine.passed = nullptr;
     for (std::vector<int>* blocks : {&ending.blocks, &ending.followers})
         for (int& block : *blocks) block = part_->part.wholeBlock(block);
     return ending;

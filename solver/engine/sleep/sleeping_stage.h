@@ -40,6 +40,10 @@ public:
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:
+    void fallAsleepAt(double time, State& state);
+    void wakeAllAt(double time, State& state) const;
+    bool wakeDisturbedAt(double time, double dt, const BlockForces& changes, State& state) const;
+    void startMoving(const std::vector<char>& slept, double time, State& state) const;
     StepEnding stepOfWhole(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
     StepEnding stepOfPart(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
     void pass(State& state, double& time, double end, DynamicPace& pace) const;

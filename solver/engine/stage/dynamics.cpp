@@ -130,27 +130,38 @@ void DynamicStage::drive(State& state) const {
 }
 
 StepEnding DynamicStage::begin(State& state) {
-    const Model& model = engine_.model;
     state.acceleration.clear();
     if (!takePreload(engine_, state, loads_, loadsAt_(0.0), settings_.timeStep)) return {Ending::Stopped, "", {}};
     drive(state);
     if (!carriesAccelerations(settings_.scheme)) return {};
-    const StepProblem problem =
-        buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None, 1.0, false, 1.0, settings_.damping});
-    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
-    const Eigen::VectorXd first = byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+    const Eigen::VectorXd first = accelerationsAt(state, 0.0, settings_.damping);
     state.acceleration.assign(first.data(), first.data() + first.size());
     return {};
 }
 
-/// Accelerations due to all forces except contacts, with the bodies at rest at their present positions. Empty if they
-/// are not needed.
-Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
-    if (!carriesAccelerations(settings_.scheme) || state.bolts.empty()) return {};
+/// Accelerations due to all forces except contacts, with the bodies at their present positions.
+Eigen::VectorXd DynamicStage::accelerationsAt(const State& state, double time, const Damping& damping) const {
     const Model& model = engine_.model;
-    const StepProblem problem = buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None});
+    const StepProblem problem =
+        buildStep(model, state, loads_, loadsAt_(time), {Inertia::None, 1.0, false, 1.0, damping});
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
     return byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+}
+
+void DynamicStage::setAccelerations(State& state, double time, const std::vector<char>& chosen) const {
+    if (!carriesAccelerations(settings_.scheme)) return;
+    const Eigen::VectorXd now = accelerationsAt(state, time, settings_.damping);
+    const int blocks = static_cast<int>(engine_.model.blocks.size());
+    for (int body = 0; body < static_cast<int>(chosen.size()); ++body) {
+        const int first = body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks);
+        for (int k = first; chosen[body] && k < first + (body < blocks ? 6 : 3); ++k) state.acceleration[k] = now[k];
+    }
+}
+
+/// The accelerations without damping, to find what a failed part contributed to them. Empty if they are not needed.
+Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
+    if (!carriesAccelerations(settings_.scheme) || state.bolts.empty()) return {};
+    return accelerationsAt(state, 0.0, {});
 }
 
 /// Removes the contribution of failed parts from the accelerations; otherwise it would throw light bolt nodes away.

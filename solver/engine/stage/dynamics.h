@@ -61,6 +61,10 @@ public:
     StepEnding find(const State& state, double time, double end, DynamicPace& pace, FoundStep& found);
     void take(FoundStep found, State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
+    /// Gives the bodies for which `chosen` is true the accelerations that all forces except contacts give them at `time`
+    /// [s], if the time scheme uses accelerations. \param chosen per body: blocks first, then bolt nodes.
+    void setAccelerations(State& state, double time, const std::vector<char>& chosen) const;
+
     /// Largest distance within which a step of length `dt` [s] looks for contacts [m], as far as the velocities and the
     /// last displacement in `pace` tell.
     double searchRange(const State& state, double dt, const DynamicPace& pace) const;
@@ -69,6 +73,7 @@ private:
     enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, FoundStep& trial);
     void drive(State& state) const;
+    Eigen::VectorXd accelerationsAt(const State& state, double time, const Damping& damping) const;
     Eigen::VectorXd heldAccelerations(const State& state) const;
     void forget(const Eigen::VectorXd& held, State& state) const;
     LoadPoint loadsOver(double time, double dt, double share) const;
