@@ -7,7 +7,6 @@
 #include "solver/engine/stage/step_build.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace keyblock {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The part of a scene that a step models while other blocks sleep: the blocks that are
-// awake, the bolts that cross them, and around them the sleeping and fixed blocks that
-// they may reach, which hold their place. It is a model of its own, so that search,
+// awake, the bolts that cross them or that they may reach, and around them the sleeping
+// and fixed blocks that they may reach, which hold their place. It is a model of its own, so that search,
 // step and acceptance cost what is awake and not what exists.
 #pragma once
 

@@ -206,7 +206,7 @@ TEST(Sleep, AForceThatMovesAlongASleepingBlockWakesIt) {
 /// Blocks that creep, topple from rest, or lose what holds them, with and without sleep.
 class CreepingScenes : public testing::TestWithParam<int> {};
 
-/// A box on a slope at its friction angle, which goes on at the speed that it is given [m/s].
+/// A box on a slope at its friction angle, which keeps the speed that it is given [m/s].
 Scene creeping(double speed) {
     Scene scene = boxOnBase(30.0, 30.0);
     scene.stages = {test::settle(), dynamic(0.3, 1e-3)};
