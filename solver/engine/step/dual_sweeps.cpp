@@ -60,8 +60,8 @@ DualSweeps::Straight DualSweeps::straight(std::size_t n) const {
     return {force, swept_.tangent(n), strain, 0.0};
 }
 
-/// Keeps the other links, those of bolt nodes, at their forces in `from`. Together with the loads and prescribed
-/// displacements these forces are constant while the contact forces are swept.
+/// Keeps the links of bolt nodes on the tangents that they have in `from`, and the loads and prescribed displacements
+/// constant, while the contact forces are swept.
 void DualSweeps::holdTheRest(const Trial& from) {
     Eigen::VectorXd outer = padded(problem_.load);
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(outer.size());
@@ -69,12 +69,9 @@ void DualSweeps::holdTheRest(const Trial& from) {
         if (problem_.known[i]) moves[i] = problem_.value[i];
     outer -= bodyProduct(problem_, moves);
     laws_.resize(rows_.count());
-    for (std::size_t i = 0; i < rows_.count(); ++i) {
-        if (isSwept_[i]) continue;
-        laws_[i] = {from.laws[i].force, from.laws[i].tangent, from.strains[i], 0.0};
-        rows_.add(i, -problem_.links[i].law.share * laws_[i].force, outer.data());
-    }
-    swept_.hold(outer);
+    for (std::size_t i = 0; i < rows_.count(); ++i)
+        if (!isSwept_[i]) laws_[i] = {from.laws[i].force, from.laws[i].tangent, from.strains[i], 0.0};
+    swept_.hold(outer, from);
 }
 
 /// Replaces every swept law by the straight line for the state that its force indicates, and factors the resulting

@@ -12,8 +12,8 @@
 // friction is limited by the current normal force (Jourdan, Alart and Jean 1998). All
 // sweeps run in the same direction and are combined by Anderson mixing (1965). The
 // bodies are in equilibrium under the forces at all times. Bolt nodes have too little
-// mass for this method; their links keep the force of the trial from which the sweeps
-// start.
+// mass for this method; bolts yield with the tangents of the trial from which the
+// sweeps start.
 #pragma once
 
 #include "solver/engine/step/step_matrix.h"
@@ -40,7 +40,7 @@ public:
     /// Sweeps over the contact forces, then solves for the displacement with the contact states (sticking, sliding or
     /// open) that follow from the forces. The sweeps start from the forces of the previous call, in the first call from
     /// those passed to the constructor. The friction limits are not updated to the displacement.
-    /// \param from the trial evaluated last; bolt links keep the forces that they have in it.
+    /// \param from the trial evaluated last; bolt links keep the tangents that they have in it.
     /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 

@@ -45,7 +45,7 @@ double weightOf(const StepProblem& problem, const Link& link) {
 
 }  // namespace
 
-SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(problem), links_(links) {
+SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(problem), links_(links), nodes_(problem, links) {
     driven_ = Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding);
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[i]) driven_[i] = problem.value[i];
@@ -141,10 +141,56 @@ double SweptLinks::tangent(std::size_t n) const {
     return link.law.kind == LawKind::Constant ? 0.0 : row.law.stiffness;
 }
 
-void SweptLinks::hold(const Eigen::VectorXd& outer) {
-    held_ = Eigen::VectorXd::Zero(6 * problem_.blocks + LinkRows::padding);
+void SweptLinks::hold(const Eigen::VectorXd& outer, const Trial& from) {
+    int chained = 0;
+    for (std::size_t c = 0; c < nodes_.count(); ++c) chained += 6 * static_cast<int>(nodes_.blocks(c).size());
+    held_ = Eigen::VectorXd::Zero(6 * problem_.blocks + LinkRows::padding + chained);
     for (int b = 0; b < problem_.blocks; ++b)
         held_.segment<6>(6 * b).noalias() = scales_[b] * outer.segment<6>(6 * b);
+    holdChains(from);
+}
+
+/// Condenses the chains in scaled unknowns. They start with the forces that they have at the trial.
+void SweptLinks::holdChains(const Trial& from) {
+    chains_.clear();
+    int first = 6 * problem_.blocks + LinkRows::padding;
+    for (std::size_t c = 0; c < nodes_.count(); ++c) {
+        const std::vector<int>& blocks = nodes_.blocks(c);
+        const CondensedChain condensed = nodes_.condensed(c, from);
+        const auto size = condensed.force.size();
+        Eigen::MatrixXd scale = Eigen::MatrixXd::Zero(size, size);
+        Eigen::VectorXd at(size);
+        for (std::size_t k = 0; k < blocks.size(); ++k) {
+            const int b = blocks[k];
+            const auto row = 6 * static_cast<Eigen::Index>(k);
+            scale.block<6, 6>(row, row) = scales_[b];
+            const Vector6 free = from.d.segment<6>(6 * b) - driven_.segment<6>(6 * b);
+            at.segment<6>(row) = scales_[b] * (problem_.blockStiffness[b] * free);
+        }
+        const Eigen::MatrixXd stiffness = scale * condensed.stiffness * scale.transpose();
+        const Eigen::LDLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(size, size) + stiffness);
+        const Eigen::VectorXd force = scale * condensed.force;
+        chains_.push_back({factor.solve(stiffness), factor.solve(force + stiffness * at), first});
+        held_.segment(first, size) = force;
+        for (std::size_t k = 0; k < blocks.size(); ++k) held_.segment<6>(6 * blocks[k]) += force.segment<6>(6 * k);
+        first += static_cast<int>(size);
+    }
+}
+
+/// Sets the force of each chain in turn, in equilibrium with the displacements that it causes.
+void SweptLinks::sweepChains() {
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        const Chain& chain = chains_[c];
+        const std::vector<int>& blocks = nodes_.blocks(c);
+        auto force = moved_.segment(chain.first, chain.force.size());
+        without_.resize(chain.force.size());
+        for (std::size_t k = 0; k < blocks.size(); ++k)
+            without_.segment<6>(6 * k) = moved_.segment<6>(6 * blocks[k]) - force.segment<6>(6 * k);
+        force = chain.force;
+        force.noalias() -= chain.give * without_;
+        for (std::size_t k = 0; k < blocks.size(); ++k)
+            moved_.segment<6>(6 * blocks[k]) = without_.segment<6>(6 * k) + force.segment<6>(6 * k);
+    }
 }
 
 void SweptLinks::clip(std::vector<double>& forces) {
@@ -189,6 +235,7 @@ double SweptLinks::bentForce(const Row& row, double free, double force) {
 
 SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorXd& changes) {
     Change sum;
+    sweepChains();
     changes.setZero(static_cast<Eigen::Index>(rows_.size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const Row& row = rows_[n];

@@ -5,11 +5,13 @@
 // that all data of a visit are contiguous. The unknowns of a body are scaled by the
 // Cholesky factor L of its own stiffness, x = Lᵀ·d. In these unknowns a unit force
 // displaces the body by the gradient of the strain, so that each row needs one vector
-// instead of two.
+// instead of two. Bolt nodes are not visited: each chain of them is condensed onto its
+// blocks and acts in each sweep with the force that fits the displacements it causes.
 #pragma once
 
 #include "solver/engine/step/flat_law.h"
 #include "solver/engine/step/link_rows.h"
+#include "solver/engine/step/node_chains.h"
 
 #include <array>
 #include <vector>
@@ -34,9 +36,9 @@ public:
     /// Index of swept link n in `StepProblem::links`.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
-    /// Sets the forces on the blocks that are constant during the sweeps.
-    /// \param outer the generalised force of loads, prescribed displacements and bolt links (padded).
-    void hold(const Eigen::VectorXd& outer);
+    /// Sets the forces on the blocks that are constant during the sweeps, and condenses the bolt nodes at a trial.
+    /// \param outer the generalised force of loads and prescribed displacements (padded).
+    void hold(const Eigen::VectorXd& outer, const Trial& from);
 
     /// Limits each force to the range that its law allows.
     /// \param forces one force per swept link, not multiplied by `Law::share` [N].
@@ -51,6 +53,7 @@ public:
     void clipPlaced(std::vector<double>& forces);
 
     /// Scaled displacements Lᵀ·d of the blocks under the current forces (padded). They depend linearly on the forces.
+    /// The scaled forces of the chains of bolt nodes follow them.
     Eigen::VectorXd& placed() { return moved_; }
 
     /// Sets each force in turn to the value given by its law, taking into account the block displacements that the
@@ -83,6 +86,13 @@ private:
     struct Bounds {
         double low = 0.0, high = 0.0;
     };
+    /// A chain of bolt nodes in scaled unknowns. Its force on its blocks is `force` − `give`·x, where x are their
+    /// displacements without this force.
+    struct Chain {
+        Eigen::MatrixXd give;
+        Eigen::VectorXd force;
+        int first = 0;  // of its force in `moved_`
+    };
 
     void scaleBlocks();
     void addRow(std::size_t link, int pair);
@@ -91,6 +101,8 @@ private:
     Bounds bounds(std::size_t n, const std::vector<double>& forces) const;
     Bounds bentBounds(std::size_t n, const std::vector<double>& forces) const;
     double bentForce(const Row& row, double free, double force);
+    void holdChains(const Trial& from);
+    void sweepChains();
 
     StepProblem& problem_;
     const LinkRows& links_;
@@ -101,6 +113,9 @@ private:
     Eigen::VectorXd driven_;  // prescribed displacements (padded)
     // scaled displacements (padded): under the force set by `hold` alone, and under all forces
     Eigen::VectorXd held_, moved_;
+    NodeChains nodes_;
+    std::vector<Chain> chains_;
+    Eigen::VectorXd without_;  // displacements without the force of one chain
 };
 
 }  // namespace keyblock
