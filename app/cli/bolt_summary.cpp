@@ -8,6 +8,7 @@
 #include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/units.h"
+#include "solver/scene/visible_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ std::string chainLine(const RunSource& run, const std::vector<Event>& events, co
         text += (i == 0 ? "  " : " → ") + eventPhrase(run, events[chain[i]]);
     if (chain.size() > mostLinks)
         text += " → " + std::to_string(chain.size() - mostLinks) + " more";
-    return text + "\n";
+    return visibleText(text) + "\n";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/cli/output.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/visible_text.h"
 
 #include <algorithm>
 #include <optional>
@@ -30,7 +31,7 @@ void tellErrors(const std::filesystem::path& scene, const std::vector<Problem>& 
             printToError(oneLine(problem) + '\n');
         else
             print(oneLine(problem) + '\n');
-    print(scene.string() + ": " + counted(problems, Severity::Error) + ", " +
+    print(visibleText(scene.string()) + ": " + counted(problems, Severity::Error) + ", " +
           counted(problems, Severity::Warning) + ", " + counted(problems, Severity::Note) + "\n");
 }
 
@@ -46,7 +47,7 @@ void tellNotes(const SceneCut& cut, bool all) {
         print("  " + std::string(wordOf(note->kind)) + ": " + std::to_string(count) + '\n');
         const std::size_t listed = all ? count : std::min(count, mostOfAKind);
         for (std::size_t i = 0; i < listed; ++i, ++note)
-            print("    at " + placeText(note->place) + ": " + noteText(cut, *note) + '\n');
+            print("    at " + placeText(note->place) + ": " + visibleText(noteText(cut, *note)) + '\n');
         if (listed < count)
             print("    and " + std::to_string(count - listed) + " more; --all lists them\n");
         note = end;

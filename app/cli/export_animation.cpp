@@ -93,13 +93,13 @@ class PictureCount {
 public:
     explicit PictureCount(std::size_t all) : all_(all), isShown_(errorIsTerminal()) {}
     ~PictureCount() {
-        if (isShown_) printToError("\r\033[K");
+        if (isShown_) replaceErrorLine("");
     }
     PictureCount(const PictureCount&) = delete;
     PictureCount& operator=(const PictureCount&) = delete;
 
     void tell(std::size_t done) const {
-        if (isShown_) printToError("\r\033[Kframe " + std::to_string(done) + " of " + std::to_string(all_));
+        if (isShown_) replaceErrorLine("frame " + std::to_string(done) + " of " + std::to_string(all_));
     }
 
 private:

@@ -3,6 +3,7 @@
 #include "app/cli/model_summary_listing.h"
 
 #include "solver/scene/units.h"
+#include "solver/scene/visible_text.h"
 
 #include <array>
 #include <charconv>
@@ -12,12 +13,16 @@ namespace keyblock::cli {
 
 namespace {
 
+constexpr double mostCounted = 1e15;
+constexpr double century = 100.0 * 365.25 * 86400.0;  // [s]
+
 std::string counted(int count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 /// Rounds to two digits: an estimate is no more accurate than that.
 std::string rough(double value) {
+    if (!(value < mostCounted)) return "more than 1e15";
     std::array<char, 64> buffer{};
     const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
     const double rounded = std::round(value / size) * size;
@@ -31,7 +36,7 @@ std::string duration(double seconds) {
         return rough(seconds) + " s";
     if (seconds < 7200.0)
         return rough(seconds / 60.0) + " min";
-    return rough(seconds / 3600.0) + " h";
+    return seconds < century ? rough(seconds / 3600.0) + " h" : "more than 100 years";
 }
 
 std::string partLines(const ModelCounts& counts) {
@@ -63,8 +68,8 @@ std::string estimateLines(const CostEstimate& estimate) {
     std::string lines = "a run may take " + duration(estimate.seconds) + " (" + duration(estimate.secondsLeast) +
                         " to " + duration(estimate.secondsMost) + ") and " + rough(estimate.memory / 1e6) + " MB\n";
     for (const StageCost& stage : estimate.stages)
-        lines += "  " + stage.name + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) + " iterations (" +
-                 rough(stage.least) + " to " + rough(stage.most) + ")\n";
+        lines += "  " + visibleText(stage.name) + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) +
+                 " iterations (" + rough(stage.least) + " to " + rough(stage.most) + ")\n";
     lines += "  an iteration takes " + rough(fromSi(estimate.passSeconds, namedUnit("ms"))) + " ms, the rest of a step " +
              rough(fromSi(estimate.stepSeconds, namedUnit("ms"))) + " ms\n";
     for (const std::string& sentence : estimate.assumes)
@@ -77,7 +82,7 @@ std::string estimateLines(const CostEstimate& estimate) {
 std::string modelSummaryLines(const ModelSummary& summary) {
     std::string lines = partLines(summary.counts) + "left out:\n";
     for (const LeftOut& part : summary.leftOut)
-        lines += "  " + part.what + ": " + part.why + " (saves " + part.saves + ")\n";
+        lines += "  " + visibleText(part.what + ": " + part.why) + " (saves " + part.saves + ")\n";
     if (!summary.estimate.stages.empty())
         lines += estimateLines(summary.estimate);
     return lines;

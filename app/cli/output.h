@@ -16,17 +16,22 @@ struct UsageError : std::runtime_error {
 };
 
 /// Ignores SIGPIPE and SIGXFSZ, so that a closed pipe or a file at its size limit makes writes fail instead of ending
-/// the program.
+/// the program. If the program was started with standard output or error closed, keeps files that it opens from taking
+/// their place; writing to standard output, also as `/dev/stdout`, is then an error.
 void takeFailedWritesAsErrors();
 
-/// Writes `text` to standard output and flushes the stream.
+/// Writes `text` to standard output and flushes the stream. Characters that control a terminal, other than line feeds,
+/// are shown as escapes (`visibleLines`).
 void print(std::string_view text);
 
-/// Writes `text` to standard error and flushes the stream.
+/// Writes `text` to standard error, in the same way.
 void printToError(std::string_view text);
 
-/// Writes `error: …` to standard error on one line; line breaks in the message are replaced by spaces.
+/// Writes `error: …` to standard error on one line; line feeds in the message are shown as escapes too.
 void printErrorLine(std::string_view message);
+
+/// Replaces the last line of the terminal to which standard error is connected; it has no line feed at its end.
+void replaceErrorLine(std::string_view text);
 
 /// System error number of the first failed write to standard output; 0 if no write failed or the first failure was due
 /// to a closed pipe.

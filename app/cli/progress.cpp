@@ -11,6 +11,7 @@
 #include "solver/results/result_names.h"
 #include "solver/scene/collapse_stage.h"
 #include "solver/scene/solved_blocks.h"
+#include "solver/scene/visible_text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -24,7 +25,6 @@ namespace {
 constexpr std::chrono::milliseconds shortestPause{100};
 constexpr double leastFraction = 0.005;  // smallest fraction for which the remaining time is estimated
 constexpr int barCells = 24;
-constexpr const char* clearLine = "\r\033[K";
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -132,8 +132,7 @@ void ProgressSink::update(const Progress& progress) {
 ProgressSink::~ProgressSink() {
     if (kind_ == ProgressKind::Json && unreported_)
         tell();
-    if (kind_ == ProgressKind::Bar)
-        printToError(clearLine);
+    if (kind_ == ProgressKind::Bar) replaceErrorLine("");
 }
 
 void ProgressSink::tell() {
@@ -146,7 +145,8 @@ void ProgressSink::tell() {
                             progress_.passes,
                             progress_.events,
                             searchText(progress_.step, blocks_)};
-    printToError(kind_ == ProgressKind::Json ? progressJson(line) : clearLine + barText(line));
+    if (kind_ == ProgressKind::Json) printToError(progressJson(line));
+    else replaceErrorLine(barText(line));
 }
 
 std::string ProgressSink::barText(const ProgressLine& line) const {
@@ -161,7 +161,7 @@ std::string ProgressSink::barText(const ProgressLine& line) const {
     text += "  " + std::to_string(line.events) + (line.events == 1 ? " event" : " events");
     if (lastEvent_)
         text += ", last " + eventText(scene_, *lastEvent_);
-    return cutTo(text, static_cast<std::size_t>(terminalWidth() - 1));
+    return cutTo(visibleText(text), static_cast<std::size_t>(terminalWidth() - 1));
 }
 
 }  // namespace keyblock::cli

@@ -19,6 +19,7 @@
 #include "solver/run/strength_reduction.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/visible_text.h"
 
 #include <fstream>
 #include <iterator>
@@ -148,8 +149,8 @@ std::string modeText(const Scene& solved, const SafetyFactor& found) {
     std::string text;
     for (const SafetyRun& run : found.runs)
         if (run.factor == found.upper)
-            text = "\nat " + shown(run.factor) + ", stage '" + stageName(solved, run.end.stage) + "': " +
-                   std::string(wordOf(run.end.outcome)) + "; " + run.end.message + "\n";
+            text = "\nat " + shown(run.factor) + ", stage '" + visibleText(stageName(solved, run.end.stage)) +
+                   "': " + std::string(wordOf(run.end.outcome)) + "; " + visibleText(run.end.message) + "\n";
     if (!found.mode || found.mode->blocks.empty())
         return text;
     const std::vector<std::string> names = blockNames(solved);

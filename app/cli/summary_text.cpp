@@ -12,6 +12,7 @@
 #include "solver/results/quantity.h"
 #include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/visible_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,7 @@ std::string messages(const Scene& scene, const std::vector<StageRecord>& records
     std::string text;
     for (const StageRecord& record : records)
         if (!record.result.message.empty())
-            text += stageName(scene, record.result.stage) + ": " + record.result.message + "\n";
+            text += visibleText(stageName(scene, record.result.stage) + ": " + record.result.message) + "\n";
     return text;
 }
 
@@ -172,7 +173,7 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     const std::vector<StageRecord> records = run.stages();
     const std::vector<Event> events = run.events();
     const std::vector<HistoryRow> history = run.history();
-    std::string text = run.scene().title.empty() ? "" : run.scene().title + "\n\n";
+    std::string text = run.scene().title.empty() ? "" : visibleText(run.scene().title) + "\n\n";
     text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n" + verdictText(run);
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
     text += chainLines(run, events) + boltUseTable(run) + boltEnergyTable(run);

@@ -4,6 +4,8 @@
 // Widths count characters, not bytes, so that names in any language line up.
 #include "app/cli/text_table.h"
 
+#include "solver/scene/visible_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -28,7 +30,7 @@ TextRow titlesOf(const std::vector<TextColumn>& columns) {
 
 void widen(std::vector<TextColumn>& columns, const TextRow& cells) {
     for (std::size_t i = 0; i < columns.size(); ++i)
-        columns[i].width = std::max(columns[i].width, shownWidth(cells[i]));
+        columns[i].width = std::max(columns[i].width, shownWidth(visibleText(cells[i])));
 }
 
 }  // namespace
@@ -51,10 +53,11 @@ std::size_t shownWidth(std::string_view text) {
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells) {
     std::string line;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const std::size_t used = shownWidth(cells[i]);
+        const std::string cell = visibleText(cells[i]);
+        const std::size_t used = shownWidth(cell);
         const std::string gap(columns[i].width > used ? columns[i].width - used : 0, ' ');
         line += i == 0 ? "" : "  ";
-        line += columns[i].align == Align::Right ? gap + cells[i] : cells[i] + gap;
+        line += columns[i].align == Align::Right ? gap + cell : cell + gap;
     }
     line.erase(line.find_last_not_of(' ') + 1);
     return line + '\n';

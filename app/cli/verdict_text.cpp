@@ -8,6 +8,7 @@
 #include "solver/run/failed_parts.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/units.h"
+#include "solver/scene/visible_text.h"
 
 namespace keyblock::cli {
 
@@ -72,9 +73,10 @@ std::string worstLine(const RunSource& run, const std::vector<StageRecord>& reco
     const std::optional<StageResult> worst = worstBalanced(records);
     if (!worst)
         return {};
-    return "worst   block " + blockName(run.blockNames(), worst->health.worst.block) + ", " +
-           rounded(worst->health.worst.share) + " of its weight unbalanced in stage '" +
-           stageName(run.scene(), worst->stage) + "'\n";
+    return visibleText("worst   block " + blockName(run.blockNames(), worst->health.worst.block) + ", " +
+                       rounded(worst->health.worst.share) + " of its weight unbalanced in stage '" +
+                       stageName(run.scene(), worst->stage) + "'") +
+           "\n";
 }
 
 std::string looseLine(const RunSource& run, const std::vector<StageRecord>& records) {
@@ -84,12 +86,12 @@ std::string looseLine(const RunSource& run, const std::vector<StageRecord>& reco
         for (const int block : record.result.loose) {
             names += (count++ > 0 ? ", " : "") + blockName(run.blockNames(), block);
         }
-    return count == 0 ? "" : "loose   removed, too small to affect the verdict: " + names + "\n";
+    return count == 0 ? "" : "loose   removed, too small to affect the verdict: " + visibleText(names) + "\n";
 }
 
 std::string warningLines(const RunSource& run) {
     std::string text;
-    for (const StageWarning& warning : stageWarnings(run)) text += "warning: " + warning.text + "\n";
+    for (const StageWarning& warning : stageWarnings(run)) text += "warning: " + visibleText(warning.text) + "\n";
     return text;
 }
 

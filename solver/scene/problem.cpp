@@ -4,6 +4,8 @@
 // The only place where a problem is formatted as a line of text.
 #include "solver/scene/problem.h"
 
+#include "solver/scene/visible_text.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -47,7 +49,7 @@ std::string oneLine(const Problem& problem) {
     text += problem.message;
     if (!problem.remedy.empty())
         text += ". " + problem.remedy;
-    return text;
+    return visibleText(text);
 }
 
 }  // namespace keyblock

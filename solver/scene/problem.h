@@ -63,7 +63,7 @@ bool hasErrors(std::span<const Problem> problems);
 /// `error`, `warning` or `note`.
 std::string_view wordOf(Severity severity);
 
-/// The problem as one line of text: file, line, severity, pointer, message and remedy.
+/// The problem as one line of text: file, line, severity, pointer, message and remedy, with control characters escaped.
 std::string oneLine(const Problem& problem);
 
 }  // namespace keyblock

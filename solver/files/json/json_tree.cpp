@@ -9,6 +9,7 @@
 
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
+#include "solver/scene/utf8.h"
 
 #include <nlohmann/json.hpp>
 
@@ -348,11 +349,12 @@ std::string_view kindText(const JsonNode& node) {
 }
 
 bool isUtf8(std::string_view text) {
-    try {
-        return !nlohmann::json(text).dump().empty();
-    } catch (const nlohmann::json::exception&) {
-        return false;
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        if (!character.isValid) return false;
+        text.remove_prefix(character.length);
     }
+    return true;
 }
 
 }  // namespace keyblock
