@@ -5,6 +5,8 @@
 // on the locale.
 #include "solver/results/csv.h"
 
+#include "solver/scene/formula_text.h"
+
 #include <array>
 #include <charconv>
 
@@ -16,7 +18,8 @@ std::string exactText(double value) {
     return {buffer.data(), end.ptr};
 }
 
-CsvWriter& CsvWriter::text(std::string_view value) {
+CsvWriter& CsvWriter::text(std::string_view name) {
+    const std::string value = withoutFormula(name);
     if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
         cell(value);
         return *this;

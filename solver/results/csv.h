@@ -3,7 +3,8 @@
 //
 // Comma-separated values according to RFC 4180, with a decimal point and 17
 // significant digits in every locale, so that reading a table back gives
-// the same doubles.
+// the same doubles. Names that a spreadsheet would take for a formula are marked as
+// text, because a scene may come from others.
 #pragma once
 
 #include <ostream>
@@ -21,7 +22,8 @@ class CsvWriter {
 public:
     explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-    /// Writes a string, in quotes if it contains a comma, a quote or a line break.
+    /// Writes a string, marked by `withoutFormula` (solver/scene/formula_text.h), in quotes if it contains a comma, a
+    /// quote or a line break.
     CsvWriter& text(std::string_view value);
     CsvWriter& number(double value);
     CsvWriter& integer(long value);

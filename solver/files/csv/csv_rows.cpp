@@ -3,6 +3,7 @@
 #include "solver/files/csv/csv_rows.h"
 
 #include "solver/files/text_encoding.h"
+#include "solver/scene/formula_text.h"
 
 #include <algorithm>
 
@@ -21,7 +22,11 @@ public:
         : text_(text), lineEnd_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
 
     CsvRows split() {
-        while (at_ < text_.size()) readLine();
+        while (at_ < text_.size() && cells_ <= mostCsvCells) readLine();
+        if (cells_ > mostCsvCells)
+            read_.problems.push_back({Severity::Error, "", line_, "",
+                                      "the file has more than " + std::to_string(mostCsvCells) + " cells",
+                                      "Give fewer rows or columns"});
         return std::move(read_);
     }
 
@@ -38,7 +43,7 @@ private:
         }
         if (read_.rows.empty()) read_.separator = separatorOf(plain);
         CsvRow row;
-        while (readCell(row)) {
+        while (cells_ <= mostCsvCells && readCell(row)) {
         }
         if (row.empty()) row.push_back({"", first, false});
         read_.rows.push_back(std::move(row));
@@ -60,6 +65,7 @@ private:
     /// \return false at the end of the row.
     bool readCell(CsvRow& row) {
         CsvCell cell;
+        ++cells_;
         cell.line = line_;
         while (at_ < text_.size() && text_[at_] == ' ') ++at_;
         if (at_ < text_.size() && text_[at_] == '"') readQuoted(cell);
@@ -68,7 +74,8 @@ private:
         if (!more && cell.text.ends_with('\r')) cell.text.pop_back();
         if (!more) ++line_;
         ++at_;
-        cell.text = trimmed(asUtf8(cell.quoted ? cell.text : trimmed(cell.text), ""));
+        const std::string text = cell.quoted ? cell.text : trimmed(cell.text);
+        cell.text = trimmed(asUtf8(asBeforeMarking(text), ""));
         row.push_back(std::move(cell));
         return more;
     }
@@ -91,6 +98,7 @@ private:
     char lineEnd_;
     std::size_t at_ = 0;
     int line_ = 1;
+    std::size_t cells_ = 0;
     CsvRows read_;
 };
 

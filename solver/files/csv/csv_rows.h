@@ -8,6 +8,7 @@
 
 #include "solver/scene/problem.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ struct CsvRows {
     char separator = ',';
     std::vector<Problem> problems;
 };
+
+/// Maximum number of cells of one file; more is an error, and the rest of the file is not read.
+inline constexpr std::size_t mostCsvCells = 5'000'000;
 
 /// Splits the text of a file into rows of cells. The separator is determined from the first row: a tab if the row
 /// contains one; otherwise a semicolon if the row contains one; otherwise a comma.
