@@ -49,10 +49,10 @@ show: packages
 	$(call build,release)
 	build/release/keyblock run samples/$(SAMPLE).json --overwrite --out $(SHOWN).kbrun
 	build/release/keyblock info $(SHOWN).kbrun
-	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).pdf
-	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).png
-	build/release/keyblock export $(SHOWN).kbrun --figure bolt --bolt R1 --at pressure:0.1 --out $(SHOWN)-bolt.pdf
-	build/release/keyblock export $(SHOWN).kbrun --figure curves --out $(SHOWN)-curves.pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure section --overwrite --out $(SHOWN).pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure section --overwrite --out $(SHOWN).png
+	build/release/keyblock export $(SHOWN).kbrun --figure bolt --bolt R1 --at pressure:0.1 --overwrite --out $(SHOWN)-bolt.pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure curves --overwrite --out $(SHOWN)-curves.pdf
 	@if command -v ffmpeg >/dev/null; then \
 	    echo build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
 	    build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \

@@ -60,12 +60,14 @@ struct ExportOptions {
     bool whole = false;
     std::vector<std::filesystem::path> references;  // CSV files with curves for comparison in the figure `curves`
     std::filesystem::path out;  // file for a table or figure
+    bool overwrite = false;  // replace existing files with the data of a figure
 };
 
 struct ImportOptions {
     std::filesystem::path file;
     ImportSettings settings;
     std::filesystem::path out;
+    bool overwrite = false;  // replace an existing file
     bool all = false;  // list every entity that was not imported
 };
 

@@ -15,6 +15,8 @@
 #include <CLI/Validators.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace keyblock::cli {
@@ -28,6 +30,13 @@ const std::map<std::string, ProgressKind> progressKinds{
 
 std::string progressProblem(const std::string& word) {
     return progressKinds.contains(word) ? "" : "'" + word + "' is not one of bar, json, none";
+}
+
+/// `nan` and `inf` pass CLI11's ranges.
+std::string finiteProblem(const std::string& word) {
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    return end != word.c_str() && *end == '\0' && !std::isfinite(number) ? "'" + word + "' is not a finite number" : "";
 }
 
 /// One member for each command, filled while CLI11 parses.
@@ -112,12 +121,14 @@ void addFigureOptions(CLI::App* verb, ExportOptions& options) {
         ->type_name("NAME");
     verb->add_option("--width", options.width, "Width of a figure or animation; default 160")
         ->type_name("MM")
+        ->check(finiteProblem)
         ->check(CLI::Range(60.0, 500.0).description(""));
     verb->add_option("--dpi", options.dpi, "Resolution of a PNG, default 300, or of an animation, default 240")
         ->type_name("N")
         ->check(CLI::Range(50, 1200).description(""));
     verb->add_option("--deformed", options.deformed, "Factor by which displacements are exaggerated")
         ->type_name("FACTOR")
+        ->check(finiteProblem)
         ->check(CLI::Range(0.0, 1e6).description(""));
     verb->add_flag("--whole", options.whole, "Show the whole model, not only the surroundings of tunnels and bolts");
 }
@@ -163,6 +174,9 @@ void addExport(CLI::App& app, ExportOptions& options) {
         ->take_all();
     verb->add_option("--out", options.out, "The file to write; for a figure, its extension selects the format")
         ->type_name("FILE.(csv|svg|pdf|png)");
+    verb->add_flag("--overwrite", options.overwrite,
+                   "Also replace existing CSV files next to a figure that are not its data; a file named with --out "
+                   "is always replaced, unless it is a run store or a scene");
 }
 
 /// Reads `LAYER=role`; the name of the layer may contain `=`.
@@ -203,9 +217,11 @@ void addImport(CLI::App& app, ImportOptions& options) {
                      "Largest distance between arcs or splines and their straight segments; default: 5e-4 of the "
                      "drawing's size")
         ->type_name("METRES")
+        ->check(finiteProblem)
         ->check(CLI::PositiveNumber.description(""));
     verb->add_flag("--all", options.all, "List every entity that was skipped, not only ten of each kind");
     verb->add_option("--out", options.out, "The scene to write")->required()->type_name("SCENE.json");
+    verb->add_flag("--overwrite", options.overwrite, "Replace an existing scene");
 }
 
 void addSafety(CLI::App& app, SafetyOptions& options) {

@@ -7,6 +7,7 @@
 #include "app/cli/export_animation.h"
 #include "app/cli/export_figure.h"
 #include "app/cli/output.h"
+#include "app/cli/output_files.h"
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/vtk/vtk_export.h"
 #include "solver/files/atomic_file.h"
@@ -66,6 +67,8 @@ ExitCode exportFigure(const ExportOptions& options) {
 
 ExitCode exportAnimation(const ExportOptions& options) {
     checkAnimationOptions(options);
+    const OutputFile file{*options.animation};
+    if (!mayBeWritten({&file, 1}, {&options.run, 1})) return Usage;
     const RunStore store(options.run);
     return exportAnimation(options, store, filterOf(options, store.scene()));
 }
@@ -88,6 +91,8 @@ ExitCode perform(const ExportOptions& options) {
         return exportFigure(options);
     refuseFigureOptions(options);
     const TableKind kind = tableOf(options);
+    const OutputFile file{options.out};
+    if (!mayBeWritten({&file, 1}, {&options.run, 1})) return Usage;
     const RunStore store(options.run);
     const TableFilter filter = filterOf(options, store.scene());
     writeAtomically(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });

@@ -4,6 +4,7 @@
 
 #include "app/cli/figure_words.h"
 #include "app/cli/output.h"
+#include "app/cli/output_files.h"
 #include "solver/files/scene/reference_file.h"
 #include "solver/files/atomic_file.h"
 
@@ -14,6 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace keyblock::cli {
 
@@ -75,6 +79,47 @@ bool readReferences(const ExportOptions& options, FigureRequest& request) {
     return usable;
 }
 
+/// A file with data of the figure, which is written next to it.
+struct DataFile {
+    std::filesystem::path path;
+    std::string text;
+};
+
+bool hasText(const DataFile& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file.path, error) ||
+        std::filesystem::file_size(file.path, error) != file.text.size())
+        return false;
+    std::ifstream in(file.path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {}) == file.text;
+}
+
+/// The data of the figure, without those that are in their file already: SVG, PDF and PNG of one figure share them.
+std::vector<DataFile> dataFiles(const Figure& figure, const std::filesystem::path& out) {
+    std::vector<DataFile> files;
+    for (const FigureData& data : figure.data) {
+        std::ostringstream text;
+        data.write(text);
+        files.push_back({out.parent_path() / (out.stem().string() + data.suffix + ".csv"), text.str()});
+    }
+    std::erase_if(files, hasText);
+    return files;
+}
+
+/// Writes the figure and its data, or nothing if one of the files must not be replaced.
+ExitCode writeFiles(const ExportOptions& options, const Figure& figure) {
+    const std::vector<DataFile> data = dataFiles(figure, options.out);
+    std::vector<OutputFile> files{{options.out}};
+    for (const DataFile& file : data) files.push_back({file.path, options.overwrite});
+    std::vector<std::filesystem::path> sources = options.references;
+    sources.push_back(options.run);
+    if (!mayBeWritten(files, sources)) return Usage;
+    writeAtomically(options.out, [&](std::ostream& out) { out << figure.bytes; });
+    for (const DataFile& file : data) writeAtomically(file.path, [&](std::ostream& out) { out << file.text; });
+    tell(figure.warnings);
+    return Done;
+}
+
 }  // namespace
 
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
@@ -92,17 +137,10 @@ ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const 
     if (!readReferences(options, request))
         return Invalid;
     try {
-        const Figure figure = paintFigure(run, request);
-        writeAtomically(options.out, [&](std::ostream& out) { out << figure.bytes; });
-        for (const FigureData& data : figure.data) {
-            const std::string name = options.out.stem().string() + data.suffix + ".csv";
-            writeAtomically(options.out.parent_path() / name, data.write);
-        }
-        tell(figure.warnings);
+        return writeFiles(options, paintFigure(run, request));
     } catch (const CannotDraw& problem) {
         throw UsageError(problem.what());
     }
-    return Done;
 }
 
 #else

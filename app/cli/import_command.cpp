@@ -5,9 +5,11 @@
 // it, and what was guessed or assumed. Writes the scene if it can be cut.
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
+#include "app/cli/output_files.h"
 #include "app/cli/text_table.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/suggest.h"
+#include "solver/scene/visible_text.h"
 
 #include <algorithm>
 #include <map>
@@ -50,13 +52,15 @@ void tellNotTaken(const Import& import, bool all) {
     for (const NotTaken& item : import.notTaken) {
         const int count = ++counts[{item.kind, item.layer, item.why}];
         if (all || count <= mostNotTaken)
-            print("  " + item.kind + " on layer " + inQuotes(item.layer) + ", " + placeText(item) + ": " + item.why +
+            print(visibleText("  " + item.kind + " on layer " + inQuotes(item.layer) + ", " + placeText(item) + ": " +
+                              item.why) +
                   '\n');
     }
     for (const auto& [key, count] : counts)
         if (!all && count > mostNotTaken)
-            print("  and " + std::to_string(count - mostNotTaken) + " more " + std::get<0>(key) + " on layer " +
-                  inQuotes(std::get<1>(key)) + ": " + std::get<2>(key) + "; --all lists them\n");
+            print(visibleText("  and " + std::to_string(count - mostNotTaken) + " more " + std::get<0>(key) +
+                              " on layer " + inQuotes(std::get<1>(key)) + ": " + std::get<2>(key)) +
+                  "; --all lists them\n");
 }
 
 void tellProblems(const Import& import) {
@@ -81,6 +85,8 @@ std::string sceneLine(const Import& import, const std::filesystem::path& out) {
 }  // namespace
 
 ExitCode perform(const ImportOptions& options) {
+    const OutputFile file{options.out, options.overwrite, Scenes::Replaced};
+    if (!mayBeWritten({&file, 1}, {&options.file, 1})) return Usage;
     const Import import = importFile(options.file, options.settings);
     if (!import.unit.empty())
         print(options.file.string() + ": units " + import.unit + '\n');
@@ -90,8 +96,7 @@ ExitCode perform(const ImportOptions& options) {
     tellProblems(import);
     if (!import.scene)
         return Invalid;
-    for (const std::string& assumed : import.assumed)
-        print("assumed: " + assumed + '\n');
+    for (const std::string& assumed : import.assumed) print("assumed: " + visibleText(assumed) + '\n');
     writeSceneFile(options.out, *import.scene);
     print(sceneLine(import, options.out));
     return Done;

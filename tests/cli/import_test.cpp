@@ -42,7 +42,7 @@ TEST_F(Import, ListsWhatWasNotTaken) {
     const Ended some = keyblock(words);
     EXPECT_NE(some.out.find("and 2 more TEXT on layer 'notes'"), std::string::npos) << some.out;
     std::vector<std::string> withAll = words;
-    withAll.push_back("--all");
+    withAll.insert(withAll.end(), {"--all", "--overwrite"});
     const Ended all = keyblock(withAll);
     EXPECT_NE(all.out.find("line 128: text is not geometry"), std::string::npos) << all.out;
 }

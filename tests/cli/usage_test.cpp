@@ -54,6 +54,13 @@ TEST_F(Usage, WrongOptionsAreReported) {
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is not one of m, mm, cm");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--role", "L=wall"}, "'L=wall' is not of the form LAYER=joint|boundary");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--sagitta", "0"}, "--sagitta");
+    for (const std::string number : {"nan", "inf", "-nan"}) {
+        expectUsageError({"export", "run.kbrun", "--figure", "section", "--width", number, "--out", "s.svg"},
+                         "--width");
+        expectUsageError({"export", "run.kbrun", "--figure", "section", "--deformed", number, "--out", "s.svg"},
+                         "--deformed");
+        expectUsageError({"import", "a.dxf", "--out", "a.json", "--sagitta", number}, "--sagitta");
+    }
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
     expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");
     expectUsageError({"bolts", "toothpick"}, "rebar-20");

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 
 #include "solver/files/json/json_tree.h"
+#include "solver/files/kept_files.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/files/scene/scene_rescue.h"
 #include "ui/document/background.h"
@@ -26,7 +27,9 @@ constexpr std::size_t mostNotes = 3;  // notes on other changes that are shown a
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) && file.size() <= qint64(longestJson) ? file.readAll() : QByteArray();
+    return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && file.size() <= qint64(longestJson)
+               ? file.readAll()
+               : QByteArray();
 }
 
 SceneRescue rescued(const QString& path, const QByteArray& content) {
@@ -172,6 +175,11 @@ std::vector<Problem> Document::open(const QString& path) {
 
 bool Document::openPart(const QString& path) {
     PartReading reading{path, contentOf(path), {}, 0, false};
+    if (reading.text.isEmpty()) {  // says why it cannot be read
+        reading.problems = readSceneFile(path.toStdString()).problems;
+        Q_EMIT readInPart(reading);
+        return false;
+    }
     SceneRescue rescue = rescued(path, reading.text);
     reading.problems = std::move(rescue.problems);
     if (reading.problems.empty()) reading.problems = readSceneFile(path.toStdString()).problems;
@@ -185,6 +193,7 @@ bool Document::openPart(const QString& path) {
 }
 
 void Document::save(const QString& path) {
+    requireReplaceable(path.toStdString(), {}, Scenes::Replaced);
     writeSceneFile(path.toStdString(), *scene_);
     path_ = QFileInfo(path).absoluteFilePath();
     {

@@ -3,10 +3,12 @@
 #include "ui/export/export_job.h"
 
 #include "solver/files/run_store/run_store.h"
+#include "ui/export/stoppable_run.h"
 
 #include <QCoreApplication>
 #include <QThread>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <exception>
@@ -16,32 +18,17 @@ namespace keyblock {
 
 namespace {
 
-/// A run that throws at the next frame once the export is stopped.
-class StoppableRun : public RunSource {
-public:
-    StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}
-
-    const Scene& scene() const override { return run_.scene(); }
-    const std::vector<std::string>& blockNames() const override { return run_.blockNames(); }
-    const HistoryColumns& columns() const override { return run_.columns(); }
-    std::vector<StageRecord> stages() const override { return run_.stages(); }
-    std::vector<Event> events() const override { return run_.events(); }
-    std::vector<HistoryRow> history() const override { return run_.history(); }
-    const std::vector<FrameHead>& frames() const override { return run_.frames(); }
-    Frame frame(std::size_t index) const override {
-        if (stop_) throw ExportStopped();
-        return run_.frame(index);
-    }
-
-private:
-    const RunSource& run_;
-    const std::atomic<bool>& stop_;
-};
-
 QString figureMessage(const QString& out, std::size_t files) {
     if (files == 2) return ExportJob::tr("Saved %1 and a CSV file next to it").arg(out);
     return files > 2 ? ExportJob::tr("Saved %1 and %2 CSV files next to it").arg(out).arg(files - 1)
                      : ExportJob::tr("Saved %1").arg(out);
+}
+
+/// A name as part of the name of a file.
+std::string fileWord(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '/'; }, '_');
+    return name;
 }
 
 constexpr std::array<const char*, 3> endings{".svg", ".pdf", ".png"};  // in the order of `PaperFormat`
@@ -160,7 +147,7 @@ std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& or
     add(FigureKind::Curves, "curves", {});
     add(FigureKind::Events, "events", {});
     for (std::size_t i = 0; i < run.scene().bolts.size(); ++i)
-        add(FigureKind::Bolt, "bolt-" + run.scene().bolts[i].name, static_cast<int>(i));
+        add(FigureKind::Bolt, "bolt-" + fileWord(run.scene().bolts[i].name), static_cast<int>(i));
     return written;
 }
 

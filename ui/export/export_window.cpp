@@ -5,12 +5,15 @@
 #include "solver/files/run_store/run_store.h"
 #include "ui/document/background.h"
 #include "ui/export/export_form.h"
+#include "ui/export/stoppable_run.h"
 #include "ui/export/tab_separated.h"
 #include "ui/look/ask_path.h"
+#include "ui/look/question.h"
 #include "ui/look/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -184,7 +187,8 @@ void ExportWindow::preview() {
     painting_->ask([this, asked, store = now_.store]() -> Background::Result {
         Preview made;
         try {
-            made = previewOf(RunStore(store), asked);
+            const RunStore run(store);
+            made = previewOf(StoppableRun(run, painting_->ends()), asked);
         } catch (const std::exception& error) {
             made.message = QString::fromUtf8(error.what());
         }
@@ -225,11 +229,31 @@ QString ExportWindow::askPlace() {
     return folder.isEmpty() || !isFilm ? folder : folder + '/' + suggested.fileName();
 }
 
+/// Asks whether the files of an earlier export of all figures and tables may be replaced: their names are not chosen.
+bool ExportWindow::mayReplace(const ExportOrder& order) {
+    if (order.what != ExportWhat::Everything) return true;
+    const QDir folder(QString::fromStdString(order.out.string()));
+    const QString start = QString::fromStdString(order.figure.runName) + '-';
+    QStringList earlier;
+    for (const QString& name : folder.entryList({"*.csv", "*.svg", "*.pdf", "*.png"}, QDir::Files))
+        if (name.startsWith(start)) earlier += name;
+    if (earlier.isEmpty()) return true;
+    const QString more = earlier.size() > 5 ? QStringLiteral(", …") : QString();
+    const auto answer = ask(*this, tr("Export to a folder"),
+                            tr("%1 contains %2 files of an earlier export. Files with the same names are replaced.")
+                                .arg(folder.dirName())
+                                .arg(earlier.size()),
+                            QStringList(earlier.mid(0, 5)).join(", ") + more,
+                            {{QMessageBox::Cancel, {}}, {QMessageBox::Yes, tr("Replace")}});
+    return answer == QMessageBox::Yes;
+}
+
 void ExportWindow::choosePlace() {
     ExportOrder asked = form_->order();
     const QString out = askPlace();
     if (out.isEmpty()) return;
     asked.out = out.toStdString();
+    if (!mayReplace(asked)) return;
     message_->setText(tr("Exporting…"));
     job_->start(std::move(asked));
     showState();

@@ -43,6 +43,7 @@ private:
     void copy();
     void choosePlace();
     QString askPlace();
+    bool mayReplace(const ExportOrder& order);
 
     std::function<Exportable()> shown_;
     const Themes& themes_;

@@ -21,12 +21,13 @@ struct ExportStopped : std::exception {};
 /// True if the figure contains charts, which only the window's thread can draw.
 bool hasCharts(FigureKind kind);
 
-/// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the paths of the files.
-/// \throws CannotDraw, CannotWrite
+/// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the paths of the files. If the
+/// figure is a new file, its data replace no other file; if it replaces an earlier one, its data replace those of it.
+/// \throws CannotDraw, CannotWrite, for a run store or a scene too; nothing is written then.
 std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out);
 
-/// Writes a table to a file. \throws CannotWrite
+/// Writes a table to a file. \throws CannotWrite, for a run store or a scene too
 void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& filter, const std::filesystem::path& out);
 
 /// True if the table describes one frame; false if it describes the whole run.
@@ -41,7 +42,7 @@ std::string frameText(const RunSource& run, const TableFilter& filter);
 /// \param perSecond frames per second of an animation
 /// \param stop set by the caller to stop the export
 /// \param done called after each frame with the number of frames written and the number of all frames
-/// \throws CannotDraw, CannotWrite, ExportStopped
+/// \throws CannotDraw, CannotWrite (for a run store or a scene too), ExportStopped
 void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond, const std::filesystem::path& out,
                const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done);
 
