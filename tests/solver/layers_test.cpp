@@ -55,8 +55,8 @@ std::vector<std::string> belowPanels(std::vector<std::string> panels = {}) {
 /// What the contents of pictures may include, and more where one folder of them uses another.
 std::vector<std::string> belowPictures(std::vector<std::string> pictures = {}) {
     for (const char* below : {"ui/picture/captions", "ui/picture/chart", "ui/picture/colour", "ui/picture/event_list",
-                              "ui/picture/run_time", "ui/picture/scale_choice", "ui/picture/ticks", "solver/results",
-                              "solver/scene", "geometry"})
+                              "ui/picture/not_finite", "ui/picture/run_time", "ui/picture/scale_choice",
+                              "ui/picture/ticks", "solver/results", "solver/scene", "geometry"})
         pictures.push_back(below);
     return pictures;
 }
@@ -93,10 +93,10 @@ const std::vector<Room> rooms{
     {"solver/files/csv", {"solver/files/text_encoding", "solver/scene"}},
     {"solver/files/scene",
      {"solver/files/json", "solver/files/csv", "solver/files/atomic_file", "solver/files/read_error",
-      "solver/files/sha256", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+      "solver/files/sha256", "solver/files/text_file", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/files/drawing",
-     {"solver/files/scene", "solver/files/csv", "solver/files/read_error", "solver/files/text_encoding", "solver/scene",
-      "geometry"}},
+     {"solver/files/scene", "solver/files/csv", "solver/files/read_error", "solver/files/text_encoding",
+      "solver/files/text_file", "solver/scene", "geometry"}},
     {"solver/files/run_store",
      {"solver/files/scene", "solver/files/atomic_file", "solver/files/program_version", "solver/files/read_error",
       "solver/files/sha256", "solver/run", "solver/results", "solver/scene"}},

@@ -14,7 +14,8 @@ bool CsvNumbers::read(const CsvCell& cell, const std::string& place, double& val
     const auto commas = std::count(digits.begin(), digits.end(), ',');
     const bool point = digits.find('.') != std::string::npos;
     if (commas == 1 && !point && (separator_ != ',' || cell.quoted)) {
-        if (!decimalAgrees(',', cell.line, place)) return false;
+        if (mayBeThousands(cell) && decimal_ != '.') ambiguous_.push_back({cell.line, place, cell.text});
+        else if (!decimalAgrees(',', cell.line, place)) return false;
         std::replace(digits.begin(), digits.end(), ',', '.');
     } else if (point && !decimalAgrees('.', cell.line, place)) {
         return false;
@@ -24,6 +25,26 @@ bool CsvNumbers::read(const CsvCell& cell, const std::string& place, double& val
           cell.text.empty() ? "Fill in a number" : "Write digits with one decimal point or comma, without spaces or "
                                                    "other separators");
     return false;
+}
+
+/// True for one to three digits that do not begin with 0, a comma and three digits, where cells are separated by commas.
+bool CsvNumbers::mayBeThousands(const CsvCell& cell) const {
+    std::string_view digits = cell.text;
+    if (!digits.empty() && (digits.front() == '-' || digits.front() == '+')) digits.remove_prefix(1);
+    const std::size_t comma = digits.find(',');
+    const auto isDigit = [](char c) { return c == ',' || (c >= '0' && c <= '9'); };
+    return separator_ == ',' && comma >= 1 && comma <= 3 && digits.size() == comma + 4 && digits.front() != '0' &&
+           std::all_of(digits.begin(), digits.end(), isDigit);
+}
+
+void CsvNumbers::finish() {
+    if (decimal_ == ',') return;  // the other numbers show that these are decimal commas
+    for (const Ambiguous& number : ambiguous_)
+        error(number.line,
+              number.place + " holds " + inQuotes(number.text) +
+                  ": its comma could be a decimal comma or separate thousands",
+              "Write decimal points and no separators of thousands, or separate the cells by semicolons if it is a "
+              "decimal comma");
 }
 
 bool CsvNumbers::decimalAgrees(char decimal, int line, const std::string& place) {

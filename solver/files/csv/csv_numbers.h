@@ -3,7 +3,9 @@
 //
 // Reads numbers from CSV cells. A comma between digits is a decimal comma if cells are
 // not separated by commas, or within quotes. A file in which some numbers have decimal
-// commas and others decimal points is an error.
+// commas and others decimal points is an error. A comma before exactly three digits,
+// in quotes in a file whose cells are separated by commas, could also separate
+// thousands; it is a decimal comma only if another number of the file shows this.
 #pragma once
 
 #include "solver/files/csv/csv_rows.h"
@@ -25,7 +27,17 @@ public:
     /// \return false if the cell is not a number; this is reported as an error.
     bool read(const CsvCell& cell, const std::string& place, double& value);
 
+    /// To be called after the last number: reports all numbers whose comma could be either.
+    void finish();
+
 private:
+    /// A number whose comma could separate thousands.
+    struct Ambiguous {
+        int line = 0;
+        std::string place, text;
+    };
+
+    bool mayBeThousands(const CsvCell& cell) const;
     bool decimalAgrees(char decimal, int line, const std::string& place);
     void error(int line, std::string message, std::string remedy);
 
@@ -33,6 +45,7 @@ private:
     char separator_ = ',';
     char decimal_ = '\0';
     int decimalLine_ = 0;
+    std::vector<Ambiguous> ambiguous_;
 };
 
 /// Description of a column for messages, as in `column 3 ('load_kN')`.

@@ -22,6 +22,8 @@ namespace {
 
 using Kind = CsvColumnKind;
 
+constexpr std::size_t mostRows = 200'000;  // as many as a drawing may have entities
+
 enum class Form { Segments, Points, Ends, Directions };
 
 class ListReader {
@@ -114,7 +116,11 @@ private:
 
     void readRows(const std::vector<CsvRow>& rows) {
         if (rows.size() < 2) error(rows.front().front().line, "there are no rows under the header", "Add rows");
+        if (rows.size() > mostRows + 1)
+            return error(rows[mostRows + 1].front().line, "the number of rows exceeds " + std::to_string(mostRows),
+                         "Give only those of the section");
         for (std::size_t i = 1; i < rows.size() && !isFull(drawing_.problems); ++i) readRow(rows[i]);
+        numbers_.finish();
         for (const DrawnLine& line : drawing_.lines)
             if (line.points.size() < 2)
                 error(line.place.line, "the joint " + inQuotes(line.name) + " has a single point", "Give two or more");

@@ -74,9 +74,12 @@ private:
     void add(const DxfEntity& entity, const Map& map, const std::string& layer) {
         if (++entities_ > mostEntities) {
             if (entities_ == mostEntities + 1)
-                drawing_.problems.push_back({Severity::Error, "", entity.line, "",
-                                             "the number of blocks and entities exceeds " + std::to_string(mostEntities),
-                                             "Insert fewer copies of blocks"});
+                drawing_.problems.push_back(
+                    {Severity::Error, "", entity.line, "",
+                     "the number of blocks and entities exceeds " + std::to_string(mostEntities),
+                     drawing_.inserted.empty() ? "Export only the section"
+                                               : "Insert fewer copies of blocks, or export only "
+                                                 "the section"});
             return;
         }
         const std::string own = !layer.empty() && entity.layer == "0" ? layer : entity.layer;

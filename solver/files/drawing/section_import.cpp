@@ -29,7 +29,7 @@ constexpr const char* assumedJoint = "assumed-joint";
 constexpr const char* assumedBolt = "assumed-bolt";
 constexpr const char* assumedBoltLike = "rebar-20";
 constexpr double flatBox = 0.01;  // ratio of the sides below which a bounding box is flat
-constexpr double meetingEnds = 1e-6;  // fraction of the drawing's size: ends closer than this are the same point
+constexpr double meetingEnds = 1e-6;  // fraction of the size of the lines: ends closer than this are the same point
 
 class Importer {
 public:
@@ -75,7 +75,6 @@ private:
     }
 
     void scaleLines() {
-        std::vector<Point> extremes;
         for (DrawnLine& line : drawing_.lines) {
             for (Point& p : line.points) p = {toSi(p.x(), unit_->unit), toSi(p.y(), unit_->unit)};
             if (line.circle) {
@@ -83,11 +82,7 @@ private:
                                        toSi(line.circle->center.y(), unit_->unit)};
                 line.circle->radius = toSi(line.circle->radius, unit_->unit);
             }
-            const Box box = boxOf(line.points);
-            extremes.insert(extremes.end(), {box.min, box.max});
         }
-        const Box box = boxOf(extremes);
-        size_ = (box.max - box.min).maxCoeff();
     }
 
     LayerRole roleOf(const DrawnLine& line) const {
@@ -144,13 +139,25 @@ private:
     /// Makes a name that no other object of the scene has.
     std::string freeName(const std::string& wanted) {
         std::string name = wanted;
-        for (int number = 2; !names_.insert(name).second; ++number) name = wanted + "-" + std::to_string(number);
+        for (int& number = numbers_.try_emplace(wanted, 1).first->second; !names_.insert(name).second;)
+            name = wanted + "-" + std::to_string(++number);
         return name;
+    }
+
+    /// Larger side of the bounding box of the lines that are not closed: a large circle elsewhere must not widen the
+    /// distance within which their ends meet.
+    static double sizeOfOpen(const std::vector<DrawnLine>& lines) {
+        std::vector<Point> points;
+        for (const DrawnLine& line : lines)
+            if (!line.closed) points.insert(points.end(), line.points.begin(), line.points.end());
+        if (points.empty()) return 0.0;
+        const Box box = boxOf(points);
+        return (box.max - box.min).maxCoeff();
     }
 
     std::vector<ClosedOutline> outlines(LayerRole role, const std::string& what) {
         const std::vector<DrawnLine>& lines = lines_[role];
-        const ClosedOutlines closed = closeOutlines(lines, meetingEnds * size_);
+        const ClosedOutlines closed = closeOutlines(lines, meetingEnds * sizeOfOpen(lines));
         for (const std::size_t i : closed.open) {
             const DrawnLine& line = lines[i];
             error(line.place.line,
@@ -342,10 +349,10 @@ private:
     Import import_;
     Scene scene_;
     const UnitSymbol* unit_ = nullptr;
-    double size_ = 1.0;
     std::map<LayerRole, std::vector<DrawnLine>> lines_;
     std::map<std::tuple<std::string, std::string, std::string>, int> rows_;
     std::set<std::string> names_;
+    std::map<std::string, int> numbers_;  // the last number that `freeName` tried for a name
     std::vector<std::vector<Point>> walls_;
     std::map<std::string, int> origins_;  // line numbers of the drawing by pointers into the scene
 };

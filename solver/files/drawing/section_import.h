@@ -62,7 +62,7 @@ Import importSection(Drawing drawing, const ImportSettings& settings, const std:
 
 /// Makes a scene from a file. The file is read as a list of joints or bolts if its name ends in `.csv`, otherwise as a
 /// DXF drawing.
-/// \throws CannotRead if the file cannot be opened.
+/// \throws CannotRead if it is not a regular file of at most 512 MB that can be opened.
 Import importFile(const std::filesystem::path& path, const ImportSettings& settings);
 
 }  // namespace keyblock

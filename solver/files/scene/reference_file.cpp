@@ -3,14 +3,10 @@
 #include "solver/files/scene/reference_file.h"
 
 #include "solver/files/csv/csv_numbers.h"
-#include "solver/files/read_error.h"
+#include "solver/files/text_file.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 namespace keyblock {
@@ -57,6 +53,7 @@ private:
                 addProblem(reading_.problems, problem);
         if (hasErrors(reading_.problems)) return;
         for (std::size_t i = 0; i < columns; ++i) readColumn(csv, i);
+        numbers_.finish();
         if (!hasErrors(reading_.problems) && reading_.table.columns.size() < 2)
             tell(Severity::Error, csv.rows.front().front().line, "a curve needs two columns of numbers",
                  "Give a header such as opening_mm,load_kN and rows of numbers");
@@ -107,16 +104,8 @@ ReferenceReading readReferenceTable(std::string_view text, const std::filesystem
 }
 
 ReferenceReading readReferenceFile(const std::filesystem::path& path) {
-    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20;
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error))
-        throw CannotRead("cannot read " + path.string() + ": " + std::strerror(errno != 0 ? errno : EISDIR) +
-                         "; give the name of a CSV file");
-    if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) > longest)
-        throw CannotRead("cannot read " + path.string() + ": it is larger than 64 MB; give fewer rows");
-    return readReferenceTable(std::string(std::istreambuf_iterator<char>(file), {}), path);
+    const TextFileLimits limits{std::uint64_t{64} << 20, "give the name of a CSV file", "give fewer rows"};
+    return readReferenceTable(readTextFile(path, limits), path);
 }
 
 }  // namespace keyblock

@@ -3,9 +3,19 @@
 //
 // Malformed and odd drawings and lists, as they come from other programs: each in a
 // small file, with what has to be reported of it. Nothing may be left out in silence.
+#include "solver/files/drawing/csv_list.h"
+#include "solver/files/drawing/dxf_file.h"
 #include "solver/files/drawing/section_import.h"
 
+#include "solver/files/csv/csv_rows.h"
+#include "solver/files/read_error.h"
+#include "solver/files/scene/reference_file.h"
+#include "tests/scratch_folder.h"
+#include "tests/solver/files/drawing/drawing_text.h"
+
 #include <gtest/gtest.h>
+
+#include <sys/stat.h>
 
 #include <cmath>
 
@@ -198,6 +208,80 @@ TEST(ImportFiles, BoltsOfListsKeepWhatTheListSays) {
     EXPECT_FALSE(scene.bolts[1].spacingOutOfPlane);
     const Scene directed = sceneOf("bolt-directions.csv");
     EXPECT_LT((directed.bolts[1].farEnd - Point(2.2, 1.2 * std::sqrt(3.0))).norm(), 1e-15 * 10);
+}
+
+TEST(ImportFiles, DevicesAndPipesAreNotOpened) {
+    const test::ScratchFolder scratch;
+    ASSERT_EQ(::mkfifo((scratch.path() / "pipe.csv").c_str(), 0600), 0);
+    fs::create_symlink("/dev/zero", scratch.path() / "zero.dxf");
+    for (const char* name : {"pipe.csv", "zero.dxf"}) try {
+            importFile(scratch.path() / name, {});
+            FAIL() << name << " was read";
+        } catch (const CannotRead& problem) {
+            EXPECT_NE(std::string(problem.what()).find("it is a device or a pipe"), std::string::npos)
+                << problem.what();
+        }
+    EXPECT_THROW(readReferenceFile(scratch.path() / "pipe.csv"), CannotRead);
+}
+
+TEST(ImportFiles, ListsHaveAsManyRowsAsDrawingsHaveEntities) {
+    std::string text = "x1_m,y1_m,x2_m,y2_m\n";
+    for (int i = 0; i < 200'001; ++i) text += "0,0,1,1\n";
+    const Drawing drawing = readCsvList(text, "joints", nullptr);
+    ASSERT_EQ(drawing.problems.size(), 1U);
+    EXPECT_EQ(drawing.problems[0].message, "the number of rows exceeds 200000");
+    EXPECT_EQ(drawing.problems[0].line, 200'002);
+}
+
+TEST(ImportFiles, CellsOfCsvAreLimited) {
+    const CsvRows read = readCsvRows("a,b\nx" + std::string(mostCsvCells + 10, ','));
+    ASSERT_FALSE(read.problems.empty());
+    EXPECT_EQ(read.problems[0].message, "the file has more than 5000000 cells");
+}
+
+TEST(ImportFiles, ADrawingOfTooManyEntitiesIsNotToldOfBlocksItHasNot) {
+    test::DrawingText d;
+    d.section("ENTITIES");
+    std::string text = d.text();
+    text.erase(text.find("  0\nEOF"));
+    for (int i = 0; i < 200'001; ++i) text += "0\nPOINT\n8\nj\n";
+    const Drawing drawing = readDxf(text + "0\nENDSEC\n0\nEOF\n");
+    ASSERT_EQ(drawing.problems.size(), 1U);
+    EXPECT_EQ(drawing.problems[0].remedy, "Export only the section");
+}
+
+/// The errors of a list with one joint for each of the given starts.
+std::string errorsOfList(const std::string& separator, const std::vector<std::string>& starts) {
+    std::string text = "x1_m" + separator + "y1_m" + separator + "x2_m" + separator + "y2_m\n";
+    for (const std::string& start : starts) text += start + separator + "0" + separator + "7" + separator + "7\n";
+    std::string errors;
+    for (const Problem& problem : readCsvList(text, "joints", nullptr).problems) errors += oneLine(problem) + "\n";
+    return errors;
+}
+
+TEST(ImportFiles, ACommaThatMaySeparateThousandsIsAskedAbout) {
+    const std::string errors = errorsOfList(",", {"\"1,000\"", "\"-12,500\"", "3"});
+    EXPECT_NE(errors.find("2: error: column 1 ('x1_m') holds '1,000': its comma could be"), std::string::npos)
+        << errors;
+    EXPECT_NE(errors.find("3: error: column 1 ('x1_m') holds '-12,500'"), std::string::npos) << errors;
+    EXPECT_NE(errors.find("separate the cells by semicolons"), std::string::npos) << errors;
+    EXPECT_NE(errorsOfList(",", {"\"1,000\"", "2.5"}), "");  // a decimal point elsewhere
+    EXPECT_EQ(errorsOfList(",", {"\"1,000\"", "\"2,5\""}), "");  // another number shows decimal commas
+    EXPECT_EQ(errorsOfList(",", {"\"0,250\"", "\"1,25\"", "\"1234,567\""}), "");
+    EXPECT_EQ(errorsOfList(";", {"1,000"}), "");
+    const ReferenceReading reference = readReferenceTable("opening_mm,load_kN\n\"1,000\",2\n", "lab.csv");
+    EXPECT_TRUE(hasErrors(reference.problems));
+}
+
+TEST(ImportFiles, ALargeCircleDoesNotWidenWhereOutlinesClose) {
+    test::DrawingText d;
+    d.units(6).section("ENTITIES");
+    d.line("boundary", {0, 0}, {10, 0}).line("boundary", {10, 0}, {10, 10});
+    d.line("boundary", {10, 10}, {0, 10}).line("boundary", {0, 10}, {0, 0});
+    d.line("joints", {0, 5}, {10, 5});
+    d.entity("CIRCLE", "joints").at(10, {0, 0}).pair(40, 1e9);
+    const Import import = importSection(readDxf(d.end().text()), {}, "circle.dxf");
+    EXPECT_EQ(allOf(import).find("does not close"), std::string::npos) << allOf(import);
 }
 
 TEST(ImportFiles, LayersTakeTheRolesThatAreGiven) {

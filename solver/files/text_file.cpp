@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/text_file.h"
+
+#include "solver/files/read_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
+
+[[noreturn]] void refuseFile(const fs::path& path, const std::string& why, const std::string& remedy) {
+    throw CannotRead("cannot read " + path.string() + ": " + why + "; " + remedy);
+}
+
+void requireRegularFile(const fs::path& path, const std::string& remedy) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_regular_file(status)) return;
+    if (fs::is_directory(status)) refuseFile(path, std::strerror(EISDIR), remedy);
+    if (fs::exists(status)) refuseFile(path, "it is a device or a pipe, not a file", remedy);
+    refuseFile(path, std::strerror(error ? error.value() : ENOENT), remedy);
+}
+
+}  // namespace
+
+std::string readTextFile(const fs::path& path, const TextFileLimits& limits) {
+    requireRegularFile(path, limits.whatToGive);
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) refuseFile(path, std::strerror(errno != 0 ? errno : EIO), limits.whatToGive);
+    std::string text;
+    std::array<char, 65536> part{};
+    while (text.size() <= limits.bytes && (file.read(part.data(), part.size()) || file.gcount() > 0))
+        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > limits.bytes)
+        refuseFile(path, "it is larger than " + std::to_string(limits.bytes / megabyte) + " MB", limits.ifTooLong);
+    return text;
+}
+
+}  // namespace keyblock
