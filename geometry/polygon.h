@@ -44,7 +44,8 @@ enum class Side { Outside, Boundary, Inside };
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance);
 
 /// A point at which the outline crosses itself or runs back along itself; none if the outline is valid. Repeated
-/// corners are skipped, and an outline may touch itself at a point without crossing.
+/// corners are skipped, an outline may touch itself at a point without crossing; one with a corner that is not finite is
+/// not examined.
 /// \param tolerance [m] distance up to which points and edges count as touching
 std::optional<Point> crossesItself(std::span<const Point> polygon, double tolerance);
 

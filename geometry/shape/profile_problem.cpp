@@ -16,6 +16,8 @@ namespace {
 
 using Result = std::optional<ShapeProblem>;
 
+constexpr std::size_t mostProfilePoints = 10'000;
+
 bool isPositive(double length) { return length > 0.0 && std::isfinite(length); }
 
 Result lengthProblem(double length, const char* field) {
@@ -76,6 +78,8 @@ Result problemOf(const PolygonShape& s) {
         return ShapeProblem{"points", message, remedy};
     };
     if (s.points.size() < 3) return problem("an outline needs three points or more", "add points");
+    if (s.points.size() > mostProfilePoints)
+        return problem("an outline has at most 10000 points", "omit points that hardly change it");
     if (!std::all_of(s.points.begin(), s.points.end(), [](const Point& p) { return p.allFinite(); }))
         return problem("a point of the outline is not finite", "give finite coordinates");
     const Box box = boxOf(s.points);

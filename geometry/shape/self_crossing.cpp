@@ -4,11 +4,14 @@
 // Checks whether an outline is sound. Because of round-off, a corner on an edge cannot be distinguished from one next
 // to it. Therefore, within the tolerance of a corner, the two sides of that corner decide; elsewhere, the crossing of
 // two edges decides.
+#include "geometry/grid.h"
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace keyblock {
 
@@ -22,17 +25,27 @@ public:
         while (corners_.size() > 1 && (corners_.back() - corners_.front()).norm() <= tolerance) corners_.pop_back();
     }
 
+    /// Only edges whose boxes meet can touch, so that an outline of many corners takes a time proportional to them.
     std::optional<Point> fault() const {
         const int n = static_cast<int>(corners_.size());
+        std::vector<Box> boxes;
+        for (int i = 0; i < n; ++i) boxes.push_back(boxOfEdge(i));
+        const BoxGrid grid(boxes);
         for (int i = 0; i < n; ++i) {
             if (foldsBack(i)) return corner(i);
-            for (int j = 0; j < n; ++j)
+            for (const int j : grid.meeting(boxes[static_cast<std::size_t>(i)]))
                 if (const auto place = faultBetween(i, j)) return place;
         }
         return std::nullopt;
     }
 
 private:
+    /// Contains all points within the tolerance of the edge.
+    Box boxOfEdge(int i) const {
+        const Box edge{corner(i).cwiseMin(corner(i + 1)), corner(i).cwiseMax(corner(i + 1))};
+        return grown(edge, tolerance_ + 1e-12 * (edge.max - edge.min).maxCoeff());
+    }
+
     const Point& corner(int i) const {
         const int n = static_cast<int>(corners_.size());
         return corners_[((i % n) + n) % n];
@@ -107,6 +120,7 @@ private:
 }  // namespace
 
 std::optional<Point> crossesItself(std::span<const Point> polygon, double tolerance) {
+    if (!std::ranges::all_of(polygon, [](const Point& p) { return p.allFinite(); })) return std::nullopt;
     return Outline(polygon, tolerance).fault();
 }
 

@@ -47,6 +47,7 @@ public:
     bool exists(const std::string& name, const std::string& pointer) {
         if (std::find(known_.begin(), known_.end(), name) != known_.end())
             return true;
+        if (report_.isFull()) return false;
         const std::vector<std::string_view> views(known_.begin(), known_.end());
         report_.error(pointer, "there is no " + what_ + " " + inQuotes(name), suggestion(name, views));
         return false;

@@ -152,7 +152,8 @@ std::vector<std::string_view> typeNames(const Scene& scene) {
 
 const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const BoltType* type = findBoltType(context.scene, bolt.type);
-    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // the type of a pattern is reported once, at the pattern
+    if (!type && !bolt.type.empty() && bolt.pattern < 0 &&
+        !context.report.isFull())  // the type of a pattern is reported once, at the pattern
         context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(bolt.type),
                              suggestion(bolt.type, typeNames(context.scene)) +
                                  "; built-in types are listed by 'keyblock bolts'");

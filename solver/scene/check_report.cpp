@@ -77,7 +77,7 @@ int checkPointOnBlock(CheckContext& context, const Point& point, const std::stri
 
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report) {
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+    if (!name.empty() && !report.isFull() && std::find(names.begin(), names.end(), name) == names.end())
         report.error(pointer, inQuotes(name) + " is not among the " + inQuotes(list), suggestion(name, names),
                      canBeAdded(list) ? Repair{RepairKind::AddNamed, under("", list), name} : Repair{});
 }

@@ -19,10 +19,15 @@ namespace keyblock {
 /// Maximum number of cells of one block.
 inline constexpr double mostCells = 1e6;
 
+/// Maximum number of corners of one outline: checks of two neighbours compare all of their corners.
+inline constexpr std::size_t mostCorners = 10000;
+
 /// Collects the problems of a scene.
 struct CheckReport {
     std::vector<Problem> problems;
 
+    /// True if no more errors are added, so that remedies need not be found.
+    bool isFull() const { return keyblock::isFull(problems); }
     void error(std::string pointer, std::string message, std::string remedy, Repair repair = {});
     void warning(std::string pointer, std::string message, std::string remedy, Repair repair = {});
     void note(std::string pointer, std::string message, std::string remedy);
@@ -55,8 +60,8 @@ void checkSection(CheckContext& context);
 /// Reports every bolt that has the same name as a bolt pattern, including the bolts made from patterns.
 void checkBoltNames(CheckContext& context);
 
-/// Checks the outline of a block, domain or region: at least three corners, no repeated corner, a positive area, and no
-/// self-intersection.
+/// Checks the outline of a block, domain or region: at least three and at most `mostCorners` corners, no repeated
+/// corner, a positive area, and no self-intersection.
 /// \param what the object as named in messages, e.g. `the block`.
 /// \return false if the outline has an error.
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 namespace keyblock {
@@ -71,6 +72,13 @@ bool checkOutline(const std::vector<Point>& points, const std::string& pointer, 
                      "Give at least three");
         return false;
     }
+    if (points.size() > mostCorners) {
+        report.error(pointer,
+                     std::string(what) + " has " + std::to_string(points.size()) + " corners; the limit is " +
+                         std::to_string(mostCorners),
+                     "Omit corners that hardly change the outline; an import makes fewer with a larger sagitta");
+        return false;
+    }
     if (!checkRepeatedCorner(points, pointer, tolerance, report))
         return false;
     if (lieOnOneLine(points, tolerance)) {
@@ -89,6 +97,14 @@ bool checkOutline(const std::vector<Point>& points, const std::string& pointer, 
 
 namespace {
 
+void checkOverlap(std::size_t a, std::size_t b, CheckContext& context) {
+    if (overlap(context.scene.blocks[a].points, context.scene.blocks[b].points, context.tolerance))
+        context.report.error(under("/blocks", b),
+                             "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) + " overlaps " +
+                                 inQuotes(displayName(context.scene, static_cast<int>(a))),
+                             "Move corners so that the two blocks do not overlap; they may touch");
+}
+
 void checkOverlaps(CheckContext& context) {
     std::vector<std::size_t> blocks;
     std::vector<Box> boxes;
@@ -100,26 +116,34 @@ void checkOverlaps(CheckContext& context) {
     }
     if (boxes.empty())
         return;
-    for (const auto& [first, second] : BoxGrid(boxes).meetingPairs()) {
-        const std::size_t a = blocks[first];
-        const std::size_t b = blocks[second];
-        if (overlap(context.scene.blocks[a].points, context.scene.blocks[b].points, context.tolerance))
-            context.report.error(under("/blocks", b),
-                                 "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) +
-                                     " overlaps " + inQuotes(displayName(context.scene, static_cast<int>(a))),
-                                 "Move corners so that the two blocks do not overlap; they may touch");
-    }
+    const BoxGrid grid(boxes);
+    for (std::size_t first = 0; first < boxes.size(); ++first)
+        for (const int second : grid.meeting(boxes[first])) {
+            if (context.report.isFull()) return;
+            if (static_cast<std::size_t>(second) > first)
+                checkOverlap(blocks[first], blocks[static_cast<std::size_t>(second)], context);
+        }
 }
 
-void checkBlock(const Block& block, std::size_t index, CheckContext& context) {
+/// The names to which blocks refer, for scenes with thousands of both.
+struct RockNames {
+    explicit RockNames(const Scene& scene)
+        : materials(namesOf(scene.materials)), joints(namesOf(scene.jointMaterials)) {}
+
+    std::vector<std::string_view> materials, joints;
+    std::unordered_set<std::string_view> knownMaterials{materials.begin(), materials.end()};
+    std::unordered_set<std::string_view> knownJoints{joints.begin(), joints.end()};
+};
+
+void checkBlock(const Block& block, std::size_t index, const RockNames& names, CheckContext& context) {
     const std::string pointer = under("/blocks", index);
-    checkReference(block.material, namesOf(context.scene.materials), "materials", under(pointer, "material"),
-                   context.report);
+    if (!names.knownMaterials.contains(block.material))
+        checkReference(block.material, names.materials, "materials", under(pointer, "material"), context.report);
     if (block.jointMaterial && block.jointMaterial->empty())
         context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or omit it");
-    if (block.jointMaterial)
-        checkReference(*block.jointMaterial, namesOf(context.scene.jointMaterials), "joint_materials",
-                       under(pointer, "joint_material"), context.report);
+    if (block.jointMaterial && !names.knownJoints.contains(*block.jointMaterial))
+        checkReference(*block.jointMaterial, names.joints, "joint_materials", under(pointer, "joint_material"),
+                       context.report);
     context.sound[index] =
         checkOutline(block.points, under(pointer, "points"), "the block", context.tolerance, context.report);
 }
@@ -224,9 +248,9 @@ void checkRock(CheckContext& context) {
         "block", context.report);
     context.sound.assign(scene.blocks.size(), false);
     context.fixed.assign(scene.blocks.size(), false);
+    const RockNames names(scene);
     for (std::size_t i = 0; i < scene.blocks.size(); ++i)
-        if (scene.blocks[i].faces.empty())
-            checkBlock(scene.blocks[i], i, context);
+        if (scene.blocks[i].faces.empty()) checkBlock(scene.blocks[i], i, names, context);
         else
             context.sound[i] = true;
     checkOverlaps(context);

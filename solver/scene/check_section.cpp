@@ -52,7 +52,7 @@ const std::vector<Point>* checkRegionOf(const std::optional<std::string>& name, 
                                         CheckContext& context) {
     const Scene& scene = context.scene;
     const SceneRegion* region = name ? findRegion(scene, *name) : nullptr;
-    if (name && !region)
+    if (name && !region && !context.report.isFull())
         context.report.error(under(pointer, "region"), inQuotes(*name) + " is not among the 'regions'",
                              suggestion(*name, namesOf(scene.regions)));
     const std::vector<Point>* points = region ? &region->points
@@ -89,7 +89,8 @@ void checkOverlapWithDomain(CheckContext& context) {
     const Scene& scene = context.scene;
     for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
         const std::vector<Point>& points = scene.blocks[i].points;
-        const bool sound = points.size() >= 3 && std::all_of(points.begin(), points.end(), isUsable) &&
+        const bool sound = points.size() >= 3 && points.size() <= mostCorners &&
+                           std::all_of(points.begin(), points.end(), isUsable) &&
                            !crossesItself(points, context.tolerance);
         if (sound && overlap(scene.domain->boundary, points, context.tolerance) &&
             !standsInOpening(scene, points))
@@ -160,7 +161,7 @@ void checkTunnel(const SceneTunnel& tunnel, const std::string& pointer, CheckCon
 
 void checkPattern(const ScenePattern& pattern, const std::string& pointer, CheckContext& context) {
     const Scene& scene = context.scene;
-    if (!pattern.type.empty() && !findBoltType(scene, pattern.type))
+    if (!pattern.type.empty() && !findBoltType(scene, pattern.type) && !context.report.isFull())
         context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(pattern.type),
                              suggestion(pattern.type, namesOf(scene.boltTypes)) +
                                  "; built-in types are listed by 'keyblock bolts'");

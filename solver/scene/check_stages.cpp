@@ -201,8 +201,7 @@ void checkDilated(const std::string& joint, const std::string& pointer, CheckCon
     for (const auto& more : {namesOf(context.document.jointSets), namesOf(context.document.jointMaterials)})
         names.insert(names.end(), more.begin(), more.end());
     std::erase(names, std::string_view());
-    if (joint.empty())
-        return;  // already reported by the field check
+    if (joint.empty() || context.report.isFull()) return;  // already reported by the field check
     if (std::find(names.begin(), names.end(), joint) == names.end())
         return context.report.error(pointer, "there is no joint, joint set or joint material " + inQuotes(joint),
                                     suggestion(joint, names));

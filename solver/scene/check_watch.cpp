@@ -52,7 +52,7 @@ void checkMonitorPlace(const Monitor& monitor, const Bolt& bolt, const std::stri
 void checkBoltMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
     if (const Bolt* bolt = findBolt(context.scene, *monitor.bolt))
         return checkMonitorPlace(monitor, *bolt, pointer, context.report);
-    if (context.isCut)
+    if (context.isCut && !context.report.isFull())
         context.report.error(under(pointer, "bolt"), "there is no bolt " + inQuotes(*monitor.bolt),
                              suggestion(*monitor.bolt, namesOfBolts(context.scene)));
 }

@@ -15,8 +15,12 @@ namespace {
 constexpr std::size_t longestQuoted = 60;
 constexpr std::size_t mostListed = 12;
 constexpr std::size_t longestCompared = 60;
+constexpr std::size_t mostCompared = 5000;  // names; more take longer than a suggestion is worth
 
-std::size_t editDistance(std::string_view a, std::string_view b) {
+// The number of edits between two texts, or `most` if there are at least as many: each row of the comparison has only
+// larger numbers than the least one of the row before.
+std::size_t editDistance(std::string_view a, std::string_view b, std::size_t most) {
+    if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= most) return most;
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
         row[j] = j;
@@ -28,6 +32,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
             diagonal = row[j];
             row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
         }
+        if (*std::min_element(row.begin(), row.end()) >= most) return most;
     }
     return row[b.size()];
 }
@@ -70,10 +75,11 @@ std::string_view nearestName(std::string_view text, const std::vector<std::strin
         return {};
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(2, text.size() / 3) + 1;
-    for (const std::string_view name : names) {
+    for (std::size_t i = 0; i < std::min(names.size(), mostCompared); ++i) {
+        const std::string_view name = names[i];
         if (name.size() > 2 * longestCompared)
             continue;
-        const std::size_t distance = editDistance(text, name);
+        const std::size_t distance = editDistance(text, name, least);
         if (distance < least && distance < std::max(name.size(), text.size())) {
             least = distance;
             nearest = name;

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
+#include <numbers>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -121,6 +124,24 @@ TEST(CrossesItself, PassesSoundOutlines) {
     EXPECT_FALSE(crossesItself(ell, 1e-9));
     EXPECT_FALSE(crossesItself(Polygon{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}, 1e-9));  // repeated corners
     EXPECT_FALSE(crossesItself(Polygon{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}, 1e-9));  // corner on a straight side
+}
+
+TEST(CrossesItself, TakesOutlinesOfManyCorners) {
+    Polygon circle;
+    for (int i = 0; i < 30000; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 30000;
+        circle.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    const std::clock_t start = std::clock();
+    EXPECT_FALSE(crossesItself(circle, 1e-9));
+    std::swap(circle[29000], circle[29001]);
+    EXPECT_TRUE(crossesItself(circle, 1e-9));
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5.0);  // comparing all edges takes a minute
+}
+
+TEST(CrossesItself, DoesNotExamineWhatIsNotFinite) {
+    const double nan = std::nan("");
+    EXPECT_FALSE(crossesItself(Polygon{{0, 0}, {nan, 2}, {2, 0}, {0, 2}}, 1e-9));
 }
 
 TEST(CrossesItself, FindsTheWaistOfABowTie) {

@@ -29,7 +29,7 @@ public:
                             "this is " + std::string(kindText(node)) + " where an object is expected",
                             "Write { … } with the keys of a " + std::string(structure_.name));
         for (const JsonMember& member : *members)
-            if (std::find(skipped.begin(), skipped.end(), member.key) == skipped.end())
+            if (!isFull(problems_) && std::find(skipped.begin(), skipped.end(), member.key) == skipped.end())
                 readMember(member);
         reportMissing(node);
         reportMisplaced(*members);
@@ -91,8 +91,9 @@ private:
                                 ", but must be an object with named members",
                             "Write { \"name\": { … } }");
         for (const JsonMember& member : *object)
-            readObject(member.node, field.children.structure(), field.children.append(target_, member.key),
-                       under(place, member.key), problems_);
+            if (!isFull(problems_))
+                readObject(member.node, field.children.structure(), field.children.append(target_, member.key),
+                           under(place, member.key), problems_);
     }
 
     void reportMissing(const JsonNode& node) {
@@ -110,6 +111,7 @@ private:
     // no value and is allowed anywhere.
     void reportMisplaced(const JsonObject& members) {
         for (const JsonMember& member : members) {
+            if (isFull(problems_)) return;
             const Field* field = findField(structure_, member.key);
             if (!field || std::holds_alternative<std::monostate>(member.node.value) || isInDoubt(*field))
                 continue;

@@ -46,7 +46,7 @@ std::vector<std::string_view> allBoltTypeNames(const Scene& scene) {
 // Called before the built-in types in use are added to those of the scene: only here are all names known.
 void checkBoltTypeNames(const Scene& scene, const JsonNode& root, Problems& problems) {
     const auto check = [&](const std::string& type, const std::string& pointer) {
-        if (!type.empty() && !findBoltType(scene, type) && !findBuiltInBoltType(type))
+        if (!type.empty() && !isFull(problems) && !findBoltType(scene, type) && !findBuiltInBoltType(type))
             addProblem(problems, {Severity::Error, "", lineAt(root, pointer), pointer,
                                   "there is no bolt type " + inQuotes(type),
                                   suggestion(type, allBoltTypeNames(scene))});

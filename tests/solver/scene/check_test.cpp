@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <limits>
 
@@ -259,6 +260,50 @@ TEST(CheckScene, AcceptsASceneFarFromTheOrigin) {
     scene.bolts[0].head += shift;
     scene.stages[0].motions[0].blockAt += shift;
     EXPECT_TRUE(checkScene(scene).empty()) << test::problemList(checkScene(scene));
+}
+
+/// Processor time of the check [s].
+double secondsOfCheck(const Scene& scene, std::vector<Problem>& problems) {
+    const std::clock_t start = std::clock();
+    problems = checkScene(scene);
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+TEST(CheckScene, StopsAtTheMostProblems) {
+    Scene crowded = soundScene(), nameless = soundScene();
+    crowded.bolts.clear();
+    nameless.bolts.clear();
+    crowded.blocks.assign(4000, crowded.blocks[0]);
+    for (std::size_t i = 0; i < crowded.blocks.size(); ++i) crowded.blocks[i].name = "b" + std::to_string(i);
+    for (int i = 0; i < 20000; ++i) {
+        nameless.materials.push_back({"granite-" + std::to_string(i), {2700, 60e9, 0.17}});
+        Block block = nameless.blocks[0];
+        block.name = "b" + std::to_string(i);
+        block.material = "granit_" + std::to_string(i);
+        for (Point& corner : block.points) corner.x() += 2.0 * (i + 1);
+        nameless.blocks.push_back(block);
+    }
+    for (const Scene* scene : {&crowded, &nameless}) {
+        std::vector<Problem> problems;
+        EXPECT_LT(secondsOfCheck(*scene, problems), 20.0);  // on any machine: without the limits it takes minutes
+        EXPECT_EQ(problems.size(), mostProblems);
+    }
+}
+
+TEST(CheckScene, RefusesOutlinesOfTooManyCorners) {
+    Scene scene = soundScene();
+    scene.bolts.clear();
+    scene.blocks[1].points.clear();
+    for (int i = 0; i < 10001; ++i) {
+        const double angle = 2.0 * M_PI * i / 10001;
+        scene.blocks[1].points.push_back({5.0 + std::cos(angle), std::sin(angle)});
+    }
+    const std::vector<Problem> problems = checkScene(scene);
+    ASSERT_FALSE(problems.empty());
+    EXPECT_EQ(problems[0].pointer, "/blocks/1/points");
+    EXPECT_EQ(problems[0].message, "the block has 10001 corners; the limit is 10000");
+    scene.blocks[1].points.pop_back();
+    for (const Problem& problem : checkScene(scene)) EXPECT_NE(problem.pointer, "/blocks/1/points") << problem.message;
 }
 
 TEST(CheckScene, BearsAnEmptyScene) { EXPECT_FALSE(hasErrors(checkScene(Scene{}))); }

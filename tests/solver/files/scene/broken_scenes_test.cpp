@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <ostream>
 #include <set>
@@ -330,6 +331,14 @@ TEST_F(HostileText, MillionsOfValues) {
     for (int i = 0; i < 2'100'000; ++i)
         text += ",0";
     expectRefused(text + "]", "more than 2000000 values");
+}
+
+TEST_F(HostileText, ManyUnknownKeys) {
+    std::string text = "{\"format\": \"keyblock-scene\", \"version\": 1";
+    for (int i = 0; i < 200'000; ++i) text += ",\"gravity" + std::to_string(i) + "\":0";
+    const std::clock_t start = std::clock();
+    expectRefused(text + "}", "has no key");
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
 }
 
 TEST_F(HostileText, NumberOfAMillionDigits) {
