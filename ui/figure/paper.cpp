@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/paper.h"
 
+#include "solver/scene/xml_text.h"
 #include "ui/figure/application.h"
 
 #include <QPageSize>
@@ -60,7 +61,7 @@ void Paper::beginSvg(const std::string& title) {
     svg->setResolution(unitsPerInch);
     svg->setSize(size);
     svg->setViewBox(QRect(QPoint(0, 0), size));
-    svg->setTitle(QString::fromStdString(title));
+    svg->setTitle(QString::fromStdString(xmlText(title)));  // Qt writes the title as it is
     svg->setDescription("Keyblock");
     device_ = std::move(svg);
     painter_->begin(device_.get());
@@ -105,6 +106,7 @@ std::string Paper::finish() {
     if (format_ == PaperFormat::Pdf) blank(bytes, "/CreationDate", "\n");
     if (format_ == PaperFormat::Svg)  // for viewers that do not have the font Inter
         replaceAll(bytes, "font-family=\"Inter\"", "font-family=\"Inter, 'Noto Sans', Arial, sans-serif\"");
+    if (format_ == PaperFormat::Svg) bytes = withoutXmlForbidden(bytes);  // Qt escapes labels, but keeps these
     if (format_ == PaperFormat::Svg) replaceAll(bytes, "font-weight=\"630\"", "font-weight=\"600\"");  // Qt 5's scale
     return bytes;
 }

@@ -7,6 +7,7 @@
 #include "solver/files/vtk/vtk_poly_data.h"
 
 #include "solver/scene/number_text.h"
+#include "solver/scene/xml_text.h"
 
 #include <array>
 #include <bit>
@@ -42,18 +43,6 @@ std::string_view typeOf(const std::vector<double>&) { return "Float64"; }
 std::string_view typeOf(const std::vector<std::int32_t>&) { return "Int32"; }
 std::string_view typeOf(const std::vector<std::int64_t>&) { return "Int64"; }
 std::string_view typeOf(const std::vector<std::string>&) { return "String"; }
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) switch (c) {
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '&': result += "&amp;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += c;
-        }
-    return result;
-}
 
 class Writer {
 public:
@@ -103,7 +92,7 @@ private:
 
     template <typename Values>
     void addArray(const std::string& name, const Values& values, int components, bool withCount) {
-        xml_ += "<DataArray type=\"" + std::string(typeOf(values)) + "\" Name=\"" + escaped(name) + "\"";
+        xml_ += "<DataArray type=\"" + std::string(typeOf(values)) + "\" Name=\"" + xmlText(name) + "\"";
         if (components > 1) xml_ += " NumberOfComponents=\"" + std::to_string(components) + "\"";
         if (withCount) xml_ += " NumberOfTuples=\"" + std::to_string(values.size()) + "\"";
         xml_ += " format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
@@ -129,7 +118,7 @@ void writeVtkCollection(std::span<const VtkMoment> moments, std::ostream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
            "<Collection>\n";
     for (const VtkMoment& moment : moments)
-        out << "<DataSet timestep=\"" << shortest(moment.time) << "\" part=\"0\" file=\"" << escaped(moment.file)
+        out << "<DataSet timestep=\"" << shortest(moment.time) << "\" part=\"0\" file=\"" << xmlText(moment.file)
             << "\"/>\n";
     out << "</Collection>\n</VTKFile>\n";
 }
