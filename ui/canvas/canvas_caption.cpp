@@ -3,6 +3,7 @@
 #include "ui/canvas/canvas_caption.h"
 
 #include "ui/canvas/canvas.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 
 #include <QHBoxLayout>
@@ -38,7 +39,7 @@ CanvasCaption::CanvasCaption(Canvas& canvas, const Themes& themes, bool canClose
 void CanvasCaption::setText(const QString& text) {
     constexpr int most = 320;  // [px]
     text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, most));
-    text_->setToolTip(text);
+    text_->setToolTip(asTip(text));
     adjustSize();
     move(10, 10);
     raise();

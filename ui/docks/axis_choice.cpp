@@ -3,6 +3,7 @@
 #include "ui/docks/axis_choice.h"
 
 #include "ui/picture/charts/history_series.h"
+#include "ui/look/plain_text.h"
 
 #include <QComboBox>
 #include <QCompleter>
@@ -21,7 +22,7 @@ QComboBox* addBox(QWidget& row, const char* name, const QString& title) {
     auto* box = new QComboBox(&row);
     box->setObjectName(name);
     box->setAccessibleName(title);
-    box->setToolTip(title);
+    box->setToolTip(asTip(title));
     box->setEditable(true);
     box->setInsertPolicy(QComboBox::NoInsert);
     box->completer()->setCompletionMode(QCompleter::PopupCompletion);

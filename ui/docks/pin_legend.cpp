@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/pin_legend.h"
 
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/runs/pinned_values.h"
 
@@ -33,7 +34,7 @@ void PinLegend::fill() {
         chip->setObjectName(QStringLiteral("pin%1").arg(pin.number));
         chip->setText(QString::fromStdString(nameOf(pin)));
         chip->setAccessibleName(tr("Unpin %1").arg(chip->text()));
-        chip->setToolTip(tr("Unpin %1: %2").arg(chip->text(), QString::fromStdString(titleOf(pin))));
+        chip->setToolTip(asTip(tr("Unpin %1: %2").arg(chip->text(), QString::fromStdString(titleOf(pin)))));
         chip->setIcon(themes_.icon("close"));
         chip->setIconSize({10, 10});
         chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

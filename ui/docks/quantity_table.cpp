@@ -4,6 +4,7 @@
 
 #include "solver/results/run_source.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
@@ -135,7 +136,7 @@ void QuantityTable::addExpected(const MeasuredComparison& comparison, bool isWho
                 verdict, QString::fromStdString(isKnown ? expected.source : comparison.measured.problem)});
     for (const int column : {Measured, Expect, Deviation, Tolerance})
         row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    row->setToolTip(Source, row->text(Source));
+    row->setToolTip(Source, asTip(row->text(Source)));
     if (isWhole) row->setForeground(Verdict, comparison.within ? themes_.current().ok : themes_.current().error);
 }
 

@@ -4,6 +4,7 @@
 
 #include "solver/results/run_source.h"
 #include "ui/look/commands.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/question.h"
 #include "ui/look/theme.h"
 #include "ui/runs/comparison.h"
@@ -88,7 +89,7 @@ void RunList::fill() {
             list_, {entry.name(), entry.goesOn ? QString() : QLocale().toString(entry.time, QLocale::ShortFormat), outcome,
                     count(&RunSummary::frames), count(&RunSummary::events)});
         item->setData(0, Qt::UserRole, entry.path);
-        item->setToolTip(0, entry.problem.isEmpty() ? entry.path : entry.problem);
+        item->setToolTip(0, asTip(entry.problem.isEmpty() ? entry.path : entry.problem));
         item->setTextAlignment(3, Qt::AlignRight);
         item->setTextAlignment(4, Qt::AlignRight);
         QFont font = item->font(0);

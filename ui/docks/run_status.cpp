@@ -6,6 +6,7 @@
 #include "ui/look/action_button.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
@@ -146,7 +147,7 @@ bool RunStatus::isPaused() const { return runs_.isRunning() && runs_.session()->
 void RunStatus::refresh() {
     const bool running = runs_.isRunning();
     progress_->setVisible(runs_.session() != nullptr);
-    progress_->setToolTip(runs_.session() && runs_.session()->isOver() ? runs_.session()->message() : QString());
+    progress_->setToolTip(runs_.session() && runs_.session()->isOver() ? asTip(runs_.session()->message()) : QString());
     start_->setVisible(!running);
     for (QToolButton* button : {pause_, step_, stop_}) button->setVisible(running);
     const Theme& theme = themes_.current();

@@ -4,6 +4,7 @@
 
 #include "ui/edit/typed_number.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/qt_text.h"
 #include "ui/runs/view_settings.h"
 
@@ -39,7 +40,7 @@ double factorOf(const LegendBar& bar, const ShownNumbers& numbers) {
 
 void mark(QLineEdit& edit, const QString& problem) {
     edit.setProperty("invalid", !problem.isEmpty());
-    edit.setToolTip(problem);
+    edit.setToolTip(asTip(problem));
     edit.style()->unpolish(&edit);
     edit.style()->polish(&edit);
 }

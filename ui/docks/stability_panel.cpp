@@ -228,9 +228,9 @@ void StabilityPanel::fillBolts() {
             use.bolt);
         row->setToolTip(EnergyTaken, tr("elastic %1, plastic %2, bond %3")
                                          .arg(energyText(end.elastic), energyText(end.plastic), energyText(end.bond)));
-        row->setToolTip(AxialPeak, whenText(peaks.axialForce));
-        row->setToolTip(ShearPeak, whenText(peaks.shearForce));
-        row->setToolTip(MomentPeak, whenText(peaks.moment));
+        row->setToolTip(AxialPeak, asTip(whenText(peaks.axialForce)));
+        row->setToolTip(ShearPeak, asTip(whenText(peaks.shearForce)));
+        row->setToolTip(MomentPeak, asTip(whenText(peaks.moment)));
     }
     bolts_->setVisible(!uses_.empty());
     fitColumns(bolts_);

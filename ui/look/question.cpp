@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/question.h"
 
+#include <QLabel>
 #include <QPushButton>
 
 namespace keyblock {
@@ -11,6 +12,7 @@ QMessageBox::StandardButton ask(QWidget& window, const QString& title, const QSt
     QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, &window);
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(further);
+    for (QLabel* label : box.findChildren<QLabel*>()) label->setTextFormat(Qt::PlainText);
     for (const auto& [button, words] : buttons) {
         QPushButton* made = box.addButton(button);
         if (!words.isEmpty()) made->setText(words);

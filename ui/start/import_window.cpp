@@ -4,6 +4,7 @@
 
 #include "ui/document/background.h"
 #include "ui/edit/typed_number.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/start/import_attempt.h"
 #include "ui/start/picture_pane.h"
@@ -187,8 +188,8 @@ void ImportWindow::showLayers() {
     layers_->clear();
     for (const ImportedLayer& layer : attempt_->import.layers) {
         auto* item = new QTreeWidgetItem(layers_, {textOf(layer.name), {}, textOf(layer.source)});
-        item->setToolTip(0, item->text(0));
-        item->setToolTip(2, item->text(2));
+        item->setToolTip(0, asTip(item->text(0)));
+        item->setToolTip(2, asTip(item->text(2)));
         auto* role = new QComboBox(layers_);
         if (!layer.known) role->addItem(tr("choose…"), -1);
         for (const LayerRole each : roles) role->addItem(textOf(wordOf(each)), int(each));
@@ -214,14 +215,14 @@ void ImportWindow::showAccount() {
         auto* item = new QTreeWidgetItem(
             account_, {textOf(row.kind), textOf(row.layer), QString::number(row.count), textOf(row.became)});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(3, item->text(3));
+        item->setToolTip(3, asTip(item->text(3)));
     }
     for (const NotTaken& lost : attempt_->import.notTaken) {
         const QString why = tr("skipped, line %1: %2").arg(lost.place.line).arg(textOf(lost.why));
         auto* item = new QTreeWidgetItem(account_, {textOf(lost.kind), textOf(lost.layer), "1", why});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
         item->setForeground(3, themes_.current().warning);
-        item->setToolTip(3, why);
+        item->setToolTip(3, asTip(why));
     }
     account_->header()->resizeSection(0, 110);
     account_->header()->resizeSection(1, 100);
@@ -237,7 +238,7 @@ void ImportWindow::showWords() {
         lines << textOf(wordOf(problem.severity)) + ", " + place + textOf(problem.message) + ". " + remedyHere(problem);
     }
     for (const std::string& assumed : import.assumed) lines << tr("Assumed: %1").arg(textOf(assumed));
-    words_->setToolTip(lines.join('\n'));
+    words_->setToolTip(asTip(lines.join('\n')));
     if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("The tooltip of this text shows all messages.");
     if (import.scene && import.cut) 
         lines.prepend(import.cut->blocks == 1 ? tr("The scene has 1 block.")

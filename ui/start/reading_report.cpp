@@ -3,6 +3,7 @@
 #include "ui/start/reading_report.h"
 
 #include "ui/document/document.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 
 #include <QFileInfo>
@@ -73,8 +74,8 @@ void ReadingReport::show(const PartReading& reading) {
         auto* item = new QTreeWidgetItem(problems_, {line, QString::fromStdString(problem.message),
                                                      QString::fromStdString(problem.remedy)});
         item->setData(0, Qt::UserRole, problem.line);
-        item->setToolTip(1, item->text(1) + '\n' + QString::fromStdString(problem.pointer));
-        item->setToolTip(2, item->text(2));
+        item->setToolTip(1, asTip(item->text(1) + '\n' + QString::fromStdString(problem.pointer)));
+        item->setToolTip(2, asTip(item->text(2)));
         const bool isError = problem.severity == Severity::Error;
         item->setIcon(0, themes_.icon(isError ? "error" : "warning",
                                       isError ? themes_.current().error : themes_.current().warning));

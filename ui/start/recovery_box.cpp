@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/recovery_box.h"
 
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/start/start_buttons.h"
 
@@ -34,7 +35,7 @@ RecoveryBox::RecoveryBox(const Abandoned& abandoned, const Themes& themes, QWidg
     icon->setPixmap(themes.icon("warning", themes.current().warningFill).pixmap(16, 16));
     auto* title = new QLabel(tr("%1 was not closed properly.").arg(abandoned.title), this);
     title->setObjectName("recoveryTitle");
-    title->setToolTip(abandoned.path);
+    title->setToolTip(asTip(abandoned.path));
     title->setTextFormat(Qt::PlainText);
     const QString edits = abandoned.changes == 1 ? tr("1 edit")
                                                  : tr("%1 edits").arg(abandoned.changes);

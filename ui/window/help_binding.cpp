@@ -72,6 +72,15 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
     commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
                   QMainWindow::tr("Lists the verification cases and explains how to repeat them."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "verification"); });
+    commands.add({"help.security",
+                  QMainWindow::tr("Security"),
+                  "Help",
+                  {},
+                  QMainWindow::tr("Explains what files from others can and cannot do."),
+                  {},
+                  false,
+                  "pages"},
+                 [dock, view] { showHelp(*dock, *view, "security"); });
     commands.add({"help.keys", QMainWindow::tr("Keyboard shortcuts"), "Help", "keyboard",
                   QMainWindow::tr("Lists all commands and their shortcuts, which can be changed."),
                   {QKeySequence("?")}, false, "find"},

@@ -10,6 +10,7 @@
 #include "ui/document/visibility.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_labels.h"
 #include "ui/look/theme.h"
 #include "ui/runs/runs.h"
 #include "ui/tools/tool_desk.h"
@@ -34,6 +35,7 @@
 #include "ui/window/workflow_bar.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -53,8 +55,8 @@ namespace {
 /// Commands whose results the start page would cover: tools, results and panels.
 bool showsBelowStartPage(const QAction& action) {
     static const QStringList rooms{"tool.", "scene.", "run.", "time.", "panel."};
-    static const QStringList others{"help.contents", "help.scene", "help.theory", "help.verification", "view.probe",
-                                    "view.fit",      "view.zoomBox"};
+    static const QStringList others{"help.contents", "help.scene", "help.theory", "help.verification",
+                                    "help.security", "view.probe", "view.fit",    "view.zoomBox"};
     const QString id = action.objectName();
     return others.contains(id) || std::any_of(rooms.begin(), rooms.end(), [&](const QString& room) { return id.startsWith(room); });
 }
@@ -72,6 +74,7 @@ MainWindow::MainWindow(Themes& themes)
       runs_(new RunArea({*this, themes, *display_, *commands_, *document_, *selection_, *canvas_, *drawing_,
                          *workflow_})) {
     setObjectName("studio");
+    qApp->installEventFilter(new PlainLabels(this));
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() - roomOfFrame));
     selection_->follow(*document_);
     addFileCommands(*commands_, *document_, *this,

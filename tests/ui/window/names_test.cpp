@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Screen readers: every widget that takes a click or a key has an accessible name.
+// Screen readers: every widget that takes a click or a key has an accessible name. And
+// names of a scene are never taken for markup.
 #include "tests/ui/screen/screen.h"
 
 #include "ui/document/document.h"
@@ -80,6 +81,23 @@ TEST(Names, EveryWidgetThatTakesInputHasAnAccessibleName) {
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent() && document.checked().picture; }));
     settle();
     expectNames(window);
+}
+
+TEST(Names, LabelsDoNotTakeThemForMarkup) {
+    NEED_SCREEN();
+    Themes themes;
+    MainWindow window(themes);
+    window.show();
+    window.openPath(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json");
+    ASSERT_TRUE(waitFor([&] { return window.findChild<Document*>()->checkIsCurrent(); }));
+    settle();
+    QLabel later("<b>later</b>", &window);
+    later.show();
+    for (const QLabel* label : window.findChildren<QLabel*>())
+        if (label->isVisible()) {
+            EXPECT_NE(label->textFormat(), Qt::AutoText) << placeOf(label).toStdString();
+        }
+    EXPECT_EQ(later.textFormat(), Qt::PlainText);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "ui/document/document.h"
 #include "ui/look/field_text.h"
+#include "ui/look/plain_text.h"
 #include "ui/panels/calm_box.h"
 #include "ui/panels/fields/field_choices.h"
 #include "ui/panels/fields/field_words.h"
@@ -70,7 +71,7 @@ void LineEditor::showText(bool exact) {
     line_->setFont(font);
     line_->setText(shown_);
     if (!line_->hasFocus()) line_->setCursorPosition(0);
-    line_->setToolTip(isText(row_) ? shown_ : QString());
+    line_->setToolTip(isText(row_) ? asTip(shown_) : QString());
 }
 
 void LineEditor::enter() {

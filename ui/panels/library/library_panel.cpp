@@ -10,6 +10,7 @@
 #include "ui/edit/edits.h"
 #include "ui/look/display.h"
 #include "ui/look/elided_label.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/panels/fields/field_words.h"
 #include "ui/panels/filter_line.h"
@@ -182,7 +183,7 @@ void LibraryPanel::fillList(const std::vector<LibraryEntry>& entries) {
         auto* item =
             new QTreeWidgetItem(heading, {name, entry.users > 0 ? tr("used %1×").arg(entry.users) : QString()});
         item->setData(0, Qt::UserRole, name);
-        item->setToolTip(0, name + '\n' + entry.detail);
+        item->setToolTip(0, asTip(name + '\n' + entry.detail));
         item->setForeground(1, context_.themes.current().text2);
         if (name == chosen_) list_->setCurrentItem(item);
     }
@@ -216,7 +217,7 @@ void LibraryPanel::showType(const LibraryEntry& entry) {
         if (!heading || heading->text(0) != number.heading) heading = headingItem(*numbers_, number.heading);
         auto* item = new QTreeWidgetItem(heading, {number.label, number.value, number.source});
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(2, number.source);
+        item->setToolTip(2, asTip(number.source));
         item->setForeground(2, number.unconfirmed ? context_.themes.current().warning
                             : context_.themes.current().text2);
     }

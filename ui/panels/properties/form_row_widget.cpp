@@ -4,6 +4,7 @@
 
 #include "ui/look/display.h"
 #include "ui/look/elided_label.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/panels/fields/field_target.h"
 #include "ui/panels/fields/field_words.h"
@@ -127,7 +128,7 @@ void FormRowWidget::showTarget() {
     target_->setEnabled(leads);
     target_->setIcon(context_.themes.icon("chevron-right"));
     const QString tip = tr("Show the properties of %1").arg(QString::fromStdString(nameOfTarget(row_)));
-    target_->setToolTip(leads ? tip : QString());
+    target_->setToolTip(leads ? asTip(tip) : QString());
     target_->setAccessibleName(leads ? tip : tr("Show the properties of the object"));
 }
 

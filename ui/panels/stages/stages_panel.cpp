@@ -6,6 +6,7 @@
 #include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/panels/calm_box.h"
 #include "ui/panels/stages/plan_view.h"
@@ -108,9 +109,9 @@ void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
     item.setFlags(item.flags() | Qt::ItemIsEditable);
     item.setText(NameColumn, QString::fromStdString(held.name));
     item.setText(EndColumn, stageEnd(held, context_.display));
-    item.setToolTip(EndColumn, item.text(EndColumn));
+    item.setToolTip(EndColumn, asTip(item.text(EndColumn)));
     item.setText(DeedsColumn, deeds.isEmpty() ? tr("settles") : deeds);
-    item.setToolTip(DeedsColumn, item.text(DeedsColumn));
+    item.setToolTip(DeedsColumn, asTip(item.text(DeedsColumn)));
     auto* box = static_cast<QComboBox*>(list_->itemWidget(&item, KindColumn));
     if (!box) {
         box = new CalmBox(list_);
