@@ -17,6 +17,13 @@ constexpr double balanceAllowed = 0.01;  // allowed error of the energy balance,
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }
 
+/// The warning about the energy balance of a stage; empty if its error is allowed.
+std::string balanceWarning(double error, const std::string& inStage) {
+    if (error <= balanceAllowed) return {};
+    if (!std::isfinite(error)) return "the energy balance error" + inStage + " is not a finite number";
+    return "energy balance error of " + percent(error) + inStage + ", more than " + percent(balanceAllowed);
+}
+
 }  // namespace
 
 Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene) {
@@ -51,9 +58,8 @@ std::vector<StageWarning> stageWarnings(const RunSource& run) {
             warnings.push_back({result.stage, "block " + blockName(run.blockNames(), worst.block) + " has " +
                                                   percent(worst.share) + " of its weight unbalanced" + in + ", more than " +
                                                   percent(allowed)});
-        if (const double error = std::abs(result.health.balanceError); error > balanceAllowed)
-            warnings.push_back({result.stage, "energy balance error of " + percent(error) + in + ", more than " +
-                                                  percent(balanceAllowed)});
+        if (const std::string text = balanceWarning(std::abs(result.health.balanceError), in); !text.empty())
+            warnings.push_back({result.stage, text});
     }
     return warnings;
 }

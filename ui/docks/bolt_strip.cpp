@@ -64,11 +64,12 @@ struct BoltStrip::Past {
     int held = -1;  // the most loaded bolt, unless another is selected
     bool ofAll = false;  // true if the reach covers the whole run
 
-    /// Reads frames of a stored run, but only once.
-    void readStored(std::size_t count) {
+    /// Reads frames of a stored run, but only once; stops if the result is no longer wanted.
+    void readStored(std::size_t count, const std::atomic<bool>& stop) {
         if (std::exchange(read, true)) return;
         const std::size_t some = std::min(count, mostRead);
-        for (std::size_t i = 0; i < some; ++i) reach.add(run->frame(some == 1 ? 0 : i * (count - 1) / (some - 1)));
+        for (std::size_t i = 0; i < some && !stop; ++i)
+            reach.add(run->frame(some == 1 ? 0 : i * (count - 1) / (some - 1)));
     }
 };
 
@@ -188,7 +189,7 @@ void BoltStrip::make() {
                 known = std::make_shared<Past>(Past{run, BoltReach(bolt)});
             known->held = held;
             known->ofAll = stored > 0;
-            if (stored > 0) known->readStored(stored);
+            if (stored > 0) known->readStored(stored, painting_.ends());
             known->reach.add(*frame);
             auto shown = std::make_shared<Shown>();
             shown->chart = boltChart(*moment, 0, known->reach);

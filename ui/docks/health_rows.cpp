@@ -6,6 +6,7 @@
 #include "ui/runs/live_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 
@@ -17,7 +18,7 @@ constexpr double cutsLimit = 20.0;  // per 100 steps
 constexpr double nearLimit = 0.67;  // share of the limit from which a measure is shown as a warning
 
 HealthState judged(double value, double limit) {
-    if (value > limit) return HealthState::Bad;
+    if (!(value <= limit)) return HealthState::Bad;  // also a value that is not a number
     return value > nearLimit * limit ? HealthState::Warning : HealthState::Good;
 }
 
@@ -92,9 +93,12 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
     for (HealthRow& row : rows)
         if (row.value) row.state = judged(*row.value, row.limit);
     // Subdividing a step costs time but is not an error.
-    if (rows[1].state == HealthState::Bad) rows[1].state = HealthState::Warning;
+    if (rows[1].state == HealthState::Bad && std::isfinite(*rows[1].value)) rows[1].state = HealthState::Warning;
     // An accepted step is within the tolerance; a value close to it is normal.
-    if (rows[4].value) rows[4].state = *rows[4].value > rows[4].limit ? HealthState::Warning : HealthState::Good;
+    if (rows[4].value)
+        rows[4].state = *rows[4].value <= rows[4].limit ? HealthState::Good
+                        : std::isfinite(*rows[4].value) ? HealthState::Warning
+                                                        : HealthState::Bad;
     return rows;
 }
 

@@ -27,6 +27,7 @@ constexpr double mostName = 190.0;  // [px]
 
 QString small(double value) {
     if (value == 0.0) return QStringLiteral("0");
+    if (!std::isfinite(value)) return HealthStrip::tr("not finite");
     if (std::abs(value) >= 0.01) return Display::number(value, 2);
     const QString text = QString::number(value, 'e', 1);  // 2.1e-05
     const int e = text.indexOf('e');
@@ -37,6 +38,7 @@ QString small(double value) {
 
 QString valueText(const HealthRow& row) {
     if (!row.value) return QStringLiteral("–");
+    if (!std::isfinite(*row.value)) return small(*row.value);
     if (row.measure == HealthMeasure::Balance) return small(100.0 * *row.value) + QStringLiteral(" %");
     if (row.measure == HealthMeasure::Passes || row.measure == HealthMeasure::StepCuts)
         return Display::number(*row.value, 3);
@@ -122,6 +124,10 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
     const QString block = row.block >= 0 && known_
                               ? QString::fromStdString(blockName(cursor_.run()->blockNames(), row.block))
                               : QString();
+    if (row.value && !std::isfinite(*row.value))
+        return tr("%1: the value is not a finite number, so the results cannot be used. Check the scene for extreme "
+                  "values.")
+            .arg(nameOf(row.measure));
     switch (row.measure) {
         case HealthMeasure::Passes:
             return tr("Steps need up to %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
@@ -199,8 +205,9 @@ void HealthStrip::paintCourse(QPainter& painter, const HealthRow& row, const QRe
     QPolygonF line;
     for (std::size_t i = from; i < row.course.size(); ++i) {
         const double share = static_cast<double>(i - from) / static_cast<double>(row.course.size() - 1 - from);
-        line << QPointF(box.left() + share * (box.width() - 4.0),
-                        box.bottom() - 2.0 - (box.height() - 4.0) * std::clamp(row.course[i] / (1.05 * high), 0.0, 1.0));
+        const double part = row.course[i] / (1.05 * high);
+        const double up = std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 1.0;
+        line << QPointF(box.left() + share * (box.width() - 4.0), box.bottom() - 2.0 - (box.height() - 4.0) * up);
     }
     if (limited) {
         QPen dotted(theme.text3, 1.0);

@@ -28,6 +28,11 @@ void RunWarning::setOn(bool on) {
     refresh();
 }
 
+void RunWarning::setNotFinite(const std::string& text) {
+    notFinite_ = QString::fromStdString(text);
+    refresh();
+}
+
 void RunWarning::refresh() {
     QStringList texts;
     if (on_ && cursor_.hasMoment()) {
@@ -35,6 +40,7 @@ void RunWarning::refresh() {
         for (const StageWarning& warning : stageWarnings(*cursor_.run()))
             if (warning.stage == stage) texts += QString::fromStdString(warning.text);
     }
+    if (on_ && !notFinite_.isEmpty()) texts += notFinite_;
     setText(texts.isEmpty() ? QString() : tr("Warning: %1.").arg(texts.join("; ")));
     setVisible(!texts.isEmpty());
 }

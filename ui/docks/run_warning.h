@@ -7,6 +7,8 @@
 
 #include "ui/look/elided_label.h"
 
+#include <string>
+
 namespace keyblock {
 
 class Themes;
@@ -21,6 +23,9 @@ public:
     /// Turns the warning line on or off; it is off while the window shows the drawing.
     void setOn(bool on);
 
+    /// Says what of the frame shown is not drawn because it is not finite; empty: everything is drawn.
+    void setNotFinite(const std::string& text);
+
 private:
     void refresh();
     void showTheme();
@@ -28,6 +33,7 @@ private:
     const Themes& themes_;
     const TimeCursor& cursor_;
     bool on_ = true;
+    QString notFinite_;
 };
 
 }  // namespace keyblock

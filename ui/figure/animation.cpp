@@ -85,7 +85,7 @@ public:
 private:
     Sheet sheetOf(const SectionPicture& picture, std::size_t frame) const {
         const std::string& title = request_.title.empty() ? picture.title : request_.title;
-        return {request_.width, title, picture.subtitle, warningsOf(run_, frame)};
+        return {request_.width, title, picture.subtitle, warningsOf(run_, frame, picture.notFinite)};
     }
 
     /// A layout with space for the longest title, all kinds of marks and the last list of events, which is the longest.

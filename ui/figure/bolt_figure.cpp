@@ -10,6 +10,7 @@
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/charts/bolt_chart.h"
+#include "ui/picture/not_finite.h"
 
 #include <qcustomplot.h>
 
@@ -134,7 +135,8 @@ Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     const auto [frame, index] = chosen(run, request);
     BoltChart bolt = boltChart(run, frame, index);
     if (!request.title.empty()) bolt.title = request.title;
-    const Sheet sheet(request.width, bolt.title, bolt.subtitle, warningsOf(run, frame));
+    const Sheet sheet(request.width, bolt.title, bolt.subtitle,
+                      warningsOf(run, frame, notFiniteText(run.frame(frame))));
     const double chartHeight = boltPanelHeight * static_cast<double>(bolt.chart.panels.size()) + boltAxisRoom;
     // Which marks fit is known once the chart is drawn; until then space for all kinds is reserved.
     const BoltKey most(kindsOf(bolt.band), !bolt.envelopes.empty(), sheet.inner());

@@ -166,17 +166,24 @@ private:
     void addCurve(QCPAxis* x, QCPAxis* y, const ChartCurve& curve) {
         if (curve.style == CurveStyle::Stems) {
             for (std::size_t i = 0; i < curve.x.size(); ++i)
-                addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(theme_, curve));
+                if (canBeShown(curve.x[i]) && canBeShown(curve.y[i]))
+                    addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(theme_, curve));
             auto* dots = new Unclipped<QCPGraph>(x, y);
-            dots->setData(QVector<double>(curve.x.begin(), curve.x.end()),
-                          QVector<double>(curve.y.begin(), curve.y.end()));
+            dots->setData(shownOf(curve.x), shownOf(curve.y));
             dots->setLineStyle(QCPGraph::lsNone);
             dots->setScatterStyle(
                 QCPScatterStyle(QCPScatterStyle::ssDisc, inkOf(colourOf(theme_, curve.style)), unitsOf(0.9)));
             return;
         }
-        addLine(x, y, QVector<double>(curve.x.begin(), curve.x.end()), QVector<double>(curve.y.begin(), curve.y.end()),
-                penOf(theme_, curve));
+        addLine(x, y, shownOf(curve.x), shownOf(curve.y), penOf(theme_, curve));
+    }
+
+    /// The values, with NaN, where the chart has a gap, for those that cannot be shown.
+    static QVector<double> shownOf(const std::vector<double>& values) {
+        QVector<double> shown(values.begin(), values.end());
+        std::replace_if(
+            shown.begin(), shown.end(), [](double value) { return !canBeShown(value); }, std::nan(""));
+        return shown;
     }
 
     void drawZones(QCPPainter& painter) const {

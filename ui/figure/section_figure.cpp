@@ -73,7 +73,7 @@ Figure paintSection(const RunSource& run, const FigureRequest& request) {
     SectionPicture picture = sectionPicture(run, section);
     if (!request.title.empty()) picture.title = request.title;
     const Sheet sheet(request.width, picture.title, picture.subtitle,
-                      section.frame ? warningsOf(run, section.frame) : std::vector<std::string>{});
+                      section.frame ? warningsOf(run, section.frame, picture.notFinite) : std::vector<std::string>{});
     const SectionLayout layout(picture, run.scene(), request.width, sheet.top(), sheet.inner());
     const double height = std::ceil(sheet.heightAround(layout.height()));
     Paper paper(request.format, request.width, height, request.dpi, picture.title);

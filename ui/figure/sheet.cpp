@@ -49,10 +49,12 @@ void Sheet::draw(Ink& ink, double height, const std::string& foot) const {
     ink.text({margin, height - 4.0}, elided(foot, text_style::foot, inner()), text_style::foot);
 }
 
-std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame) {
+std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame,
+                                    const std::string& notFinite) {
     std::vector<std::string> texts;
     for (const StageWarning& warning : stageWarnings(run))
         if (!frame || warning.stage == run.frames()[*frame].stage) texts.push_back(warning.text);
+    if (!notFinite.empty()) texts.push_back(notFinite);
     return texts;
 }
 

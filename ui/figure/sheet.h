@@ -33,8 +33,9 @@ private:
 };
 
 /// The warnings (from `stageWarnings`) about the stage to which the frame with this index belongs; about all stages if
-/// `frame` is null.
-std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
+/// `frame` is null. \param notFinite says what of the frame is not shown because it is not finite; empty: nothing.
+std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame,
+                                    const std::string& notFinite = {});
 
 /// Text of the footer: "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm".
 /// \param frame index of the frame; null: the figure shows the whole run. \param height height of the figure [mm].

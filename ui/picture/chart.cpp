@@ -72,11 +72,12 @@ StageMoment momentAt(const std::vector<StageSpan>& stages, double place) {
 }
 
 void fitRange(ChartPanel& panel) {
-    ValueRange range = panel.reached;
+    ValueRange range = canBeShown(panel.reached.low) && canBeShown(panel.reached.high) ? panel.reached : ValueRange{};
     for (const ChartCurve& curve : panel.curves)
         for (const double y : curve.y)
-            if (std::isfinite(y)) range = {std::min(range.low, y), std::max(range.high, y)};
+            if (canBeShown(y)) range = {std::min(range.low, y), std::max(range.high, y)};
     std::erase_if(panel.limits, [&](const ChartLimit& limit) {
+        if (!canBeShown(limit.value)) return true;
         return limit.value >= 0.0 ? limit.value > limitReach * range.high : limit.value < limitReach * range.low;
     });
     nameOnce(panel.limits);

@@ -14,6 +14,8 @@ namespace keyblock {
 namespace {
 
 constexpr double tickRoundOff = 1e-9;
+constexpr double largestShown = 1e100, smallestWidth = 1e-100;
+constexpr int mostRounds = 100;  // steps that are tried; a few are enough
 
 int decimalsOf(double step) {
     for (int decimals = 0; decimals < 12; ++decimals) {
@@ -24,6 +26,7 @@ int decimalsOf(double step) {
 }
 
 double firstNotBelow(double least, std::initializer_list<double> factors) {
+    if (!(least >= smallestWidth) || !canBeShown(least)) return 1.0;
     const double power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : factors)
         if (factor * power >= least * (1.0 - tickRoundOff)) return factor * power;
@@ -34,41 +37,45 @@ bool hasNoWidth(const ValueRange& range) {
     return range.high - range.low <= tickRoundOff * std::max(std::abs(range.low), std::abs(range.high));
 }
 
+/// The step after `step`, which is a little larger.
+double nextStep(double step) { return roundStep(step * 1.01); }
+
 }  // namespace
 
-double roundStep(double least) {
-    assert(least > 0.0);
-    return firstNotBelow(least, {1.0, 2.0, 2.5, 5.0});
-}
+bool canBeShown(double value) { return std::abs(value) <= largestShown; }
 
-double roundHalvable(double least) {
-    assert(least > 0.0);
-    return firstNotBelow(least, {1.0, 2.0, 5.0});
-}
+double roundStep(double least) { return firstNotBelow(least, {1.0, 2.0, 2.5, 5.0}); }
+
+double roundHalvable(double least) { return firstNotBelow(least, {1.0, 2.0, 5.0}); }
 
 Ticks roundTicks(const ValueRange& range, int most) {
-    assert(range.low < range.high && most >= 2);
+    assert(most >= 2);
+    if (!canBeShown(range.low) || !canBeShown(range.high) || !(range.high - range.low > smallestWidth)) return {};
     const double width = range.high - range.low;
     double step = roundStep(width / most);
     const auto count = [&](double s) {
         return std::floor(range.high / s + tickRoundOff) - std::ceil(range.low / s - tickRoundOff) + 1.0;
     };
-    while (count(step) > most) step = roundStep(step * 1.01);
+    for (int round = 0; count(step) > most && round < mostRounds; ++round) step = nextStep(step);
     Ticks ticks;
     ticks.decimals = decimalsOf(step);
     const double first = std::ceil(range.low / step - tickRoundOff);
-    for (int i = 0; i < static_cast<int>(count(step)); ++i) ticks.values.push_back((first + i) * step);
+    for (int i = 0; i < std::min(static_cast<int>(count(step)), most); ++i) ticks.values.push_back((first + i) * step);
     return ticks;
 }
 
 ValueRange roundedRange(const ValueRange& range, int most) {
+    if (!canBeShown(range.low) || !canBeShown(range.high)) return {0.0, 1.0};
     ValueRange wide = range;
     if (hasNoWidth(wide)) wide = {std::min(wide.low, 0.0), std::max(wide.high, 0.0)};
-    if (wide.low == wide.high) return {0.0, 1.0};
-    for (double step = roundStep((wide.high - wide.low) / (most - 1));; step = roundStep(step * 1.01)) {
+    if (!(wide.high - wide.low > smallestWidth)) return {0.0, 1.0};
+    const int intervals = std::max(most - 1, 1);
+    double step = roundStep((wide.high - wide.low) / intervals);
+    for (int round = 0; round < mostRounds; ++round, step = nextStep(step)) {
         const double low = std::floor(wide.low / step + tickRoundOff), high = std::ceil(wide.high / step - tickRoundOff);
-        if (high - low <= most - 1) return {low * step, high * step};
+        if (high - low <= intervals) return {low * step, high * step};
     }
+    return wide;
 }
 
 ValueRange roundedSymmetric(const ValueRange& range, int most) {
@@ -78,6 +85,7 @@ ValueRange roundedSymmetric(const ValueRange& range, int most) {
 }
 
 ValueRange rangeWithout(std::vector<Weighed> values, double share) {
+    std::erase_if(values, [](const Weighed& value) { return !canBeShown(value.value) || !canBeShown(value.weight); });
     if (values.empty()) return {};
     std::sort(values.begin(), values.end(), [](const Weighed& a, const Weighed& b) { return a.value < b.value; });
     double total = 0.0;

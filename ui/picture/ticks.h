@@ -18,11 +18,17 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// The smallest number not below `least` that is 1, 2, 2.5 or 5 times a power of ten. \pre least > 0
+/// True if a value can be drawn: it is a finite number of at most 1e100, so that squares and differences are finite too.
+/// Every range that comes from results is made of such values, because the results of a failed stage, or of a damaged
+/// run file, may have others.
+bool canBeShown(double value);
+
+/// The smallest number not below `least` that is 1, 2, 2.5 or 5 times a power of ten; 1 if `least` is below 1e-100 or
+/// cannot be shown.
 double roundStep(double least);
 
 /// The smallest number not below `least` that is 1, 2 or 5 times a power of ten, so that half of it is also a round
-/// number. \pre least > 0
+/// number; 1 if `least` is below 1e-100 or cannot be shown.
 double roundHalvable(double least);
 
 /// Round values at equal intervals within a range.
@@ -31,12 +37,13 @@ struct Ticks {
     int decimals = 0;  // decimals that all values need
 };
 
-/// At most `most` ticks within the range. \pre low < high, most ≥ 2
+/// At most `most` ticks within the range; none if an end cannot be shown or the range is not wider than 1e-100.
+/// \pre most ≥ 2
 Ticks roundTicks(const ValueRange& range, int most);
 
 /// The range, extended at both ends to multiples of a round tick interval. The interval is chosen so that the result
-/// has at most `most` ticks. The range 0 … 0 becomes 0 … 1; any other range of zero width is first extended to include
-/// zero.
+/// has at most `most` ticks. The range 0 … 0, or one with an end that cannot be shown, becomes 0 … 1; any other range of
+/// zero width is first extended to include zero.
 ValueRange roundedRange(const ValueRange& range, int most);
 
 /// Like `roundedRange`, but the result is symmetric about zero.
@@ -49,7 +56,8 @@ struct Weighed {
 };
 
 /// Range of the values without the extremes: at each end, values whose weights add up to at most the fraction `share`
-/// of the total weight are left out. The range is 0 … 0 if there are no values.
+/// of the total weight are left out. Values that cannot be shown are left out too. The range is 0 … 0 if there are no
+/// values.
 ValueRange rangeWithout(std::vector<Weighed> values, double share);
 
 /// Text of `value` with the given number of decimals.

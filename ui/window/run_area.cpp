@@ -185,7 +185,9 @@ void RunArea::showMode() {
 }
 
 void RunArea::showPicture() {
-    if (feed_->showsResults() && feed_->picture()) parts_.canvas.show(feed_->picture());
+    if (!feed_->showsResults() || !feed_->picture()) return;
+    parts_.canvas.show(feed_->picture());
+    if (warning_) warning_->setNotFinite(feed_->picture()->notFinite);
 }
 
 void RunArea::showSelection() {

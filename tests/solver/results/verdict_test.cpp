@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace keyblock::test {
 namespace {
 
@@ -25,6 +27,15 @@ TEST(StageWarnings, AreForPoorEnergyBalanceAndUnbalancedBlocks) {
     EXPECT_EQ(warnings[0].text.rfind("block left has 0.4 % of its weight unbalanced in stage '", 0), 0U)
         << warnings[0].text;
     EXPECT_EQ(warnings[1].text.rfind("energy balance error of 76.2 % in stage '", 0), 0U) << warnings[1].text;
+}
+
+TEST(StageWarnings, AnEnergyBalanceThatIsNotANumberIsPoor) {
+    const Scene scene = sampleScene();
+    Results results = sampleResults();
+    results.stages[0].health.balanceError = std::nan("");
+    const std::vector<StageWarning> warnings = stageWarnings(MemoryRun(scene, results));
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].text.find("is not a finite number"), std::string::npos) << warnings[0].text;
 }
 
 }  // namespace

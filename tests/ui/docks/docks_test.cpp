@@ -132,6 +132,19 @@ TEST(HealthRows, ShowTheWorstStepAndItsBlock) {
     EXPECT_EQ(after[2].course.size(), 2u);
 }
 
+TEST(HealthRows, AValueThatIsNotANumberIsBad) {
+    const auto run = elevenFrames();
+    LiveBatch batch;
+    HealthSample sample;
+    sample.time = 0.2;
+    sample.worst.residual = sample.worst.penetrationRatio = std::nan("");
+    batch.health = sample;
+    run->append(std::move(batch));
+    const HealthRows rows = healthAt(*run, 0, 0.3);
+    EXPECT_EQ(rows[2].state, HealthState::Bad);
+    EXPECT_EQ(rows[4].state, HealthState::Bad);
+}
+
 TEST(HealthRows, SubdividedStepsAreNotAnError) {
     const auto run = elevenFrames();
     LiveBatch batch;

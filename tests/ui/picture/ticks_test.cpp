@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace keyblock {
@@ -55,6 +56,45 @@ TEST(Ticks, FewOutliersAreExcludedByWeight) {
     EXPECT_EQ(rangeWithout(values, 0.02), (ValueRange{1.0, 97.0}));
     EXPECT_EQ(rangeWithout({}, 0.02), (ValueRange{0.0, 0.0}));
     EXPECT_EQ(rangeWithout({{3.0, 1.0}}, 0.02), (ValueRange{3.0, 3.0}));
+}
+
+/// Values of a stage that failed or of a damaged run file, and the limits of what a double holds.
+std::vector<double> extremes() {
+    using Limits = std::numeric_limits<double>;
+    const double inf = Limits::infinity(), nan = Limits::quiet_NaN();
+    return {nan,    inf, -inf, 1e308, -1e308, Limits::max(), Limits::denorm_min(), -Limits::denorm_min(),
+            1e-310, 0.0, 1.0,  1e99};
+}
+
+TEST(Ticks, ExtremeRangesEnd) {
+    for (const double low : extremes())
+        for (const double high : extremes())
+            for (const int most : {2, 5, 9}) {
+                for (const ValueRange& range : {roundedRange({low, high}, most), roundedSymmetric({low, high}, most)}) {
+                    EXPECT_TRUE(std::isfinite(range.low) && std::isfinite(range.high)) << low << " " << high;
+                    EXPECT_LT(range.low, range.high) << low << " " << high;
+                }
+                const Ticks ticks = roundTicks({low, high}, most);
+                EXPECT_LE(ticks.values.size(), static_cast<std::size_t>(most)) << low << " " << high;
+                for (const double value : ticks.values) EXPECT_TRUE(std::isfinite(value)) << low << " " << high;
+            }
+}
+
+TEST(Ticks, ExtremeStepsAreNumbersAboveZero) {
+    for (const double least : extremes())
+        for (const double step : {roundStep(least), roundHalvable(least)}) {
+            EXPECT_TRUE(std::isfinite(step)) << least;
+            EXPECT_GT(step, 0.0) << least;
+        }
+}
+
+TEST(Ticks, RangesOfValuesLeaveOutWhatIsNotFinite) {
+    std::vector<Weighed> values{{2.0, 1.0}, {7.0, 1.0}};
+    for (const double value : extremes())
+        if (!canBeShown(value)) values.push_back({value, 1.0});
+    values.push_back({1.0, std::numeric_limits<double>::quiet_NaN()});
+    EXPECT_EQ(rangeWithout(values, 0.0), (ValueRange{2.0, 7.0}));
+    EXPECT_EQ(rangeWithout({{std::numeric_limits<double>::quiet_NaN(), 1.0}}, 0.0), (ValueRange{0.0, 0.0}));
 }
 
 TEST(NumberText, UsesATrueMinusAndThinSpaces) {

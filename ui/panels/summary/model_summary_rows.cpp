@@ -18,10 +18,14 @@ struct SummaryTexts {
     Q_DECLARE_TR_FUNCTIONS(ModelSummary)
 };
 
+constexpr double mostCounted = 1e15;
+constexpr double century = 100.0 * 365.25 * 86400.0;  // [s]
+
 QString number(double value) { return Display::number(value, 12); }
 
 /// Rounds to two digits: an estimate is no more accurate than that.
 QString rough(double value) {
+    if (!(value < mostCounted)) return SummaryTexts::tr("more than 1e15");
     const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
     return Display::number(std::round(value / size) * size, 12);
 }
@@ -84,6 +88,7 @@ QString costText(double seconds) {
         return rest % 60 == 0 || minutes >= 10 ? SummaryTexts::tr("%1 min").arg(minutes)
             : SummaryTexts::tr("%1 min %2 s").arg(minutes).arg(rest);
     }
+    if (!(seconds < century)) return SummaryTexts::tr("> 100 years");
     return SummaryTexts::tr("%1 h").arg(rough(seconds / 3600.0));
 }
 

@@ -131,12 +131,12 @@ private:
         chart.xTitle = withUnit(over);
         ValueRange range;
         for (const double value : x)
-            if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
+            if (canBeShown(value)) range = {std::min(range.low, value), std::max(range.high, value)};
         chart.x = range;
         for (const Event& event : events_) {
             const long place = placeOf(event, atFrames);
             const std::size_t at = place;
-            if (isOfBolts(event) && place >= 0 && at < x.size() && std::isfinite(x[at])) chart.events.push_back(x[at]);
+            if (isOfBolts(event) && place >= 0 && at < x.size() && canBeShown(x[at])) chart.events.push_back(x[at]);
         }
         addPanels(chart, of, x, atFrames);
         finish(std::move(chart));
@@ -179,7 +179,7 @@ private:
                 historyColumn(run_.scene(), {-1, 0, static_cast<int>(b), debonded.quantity});
             double most = 0.0;
             for (const HistoryRow& row : history_)
-                if (std::isfinite(row.values[column])) most = std::max(most, row.values[column]);
+                if (canBeShown(row.values[column])) most = std::max(most, row.values[column]);
             if (most > 0.0)
                 bolts.push_back({most, {run_.scene().bolts[b].name, titleWithUnit(debonded), column, debonded.factor,
                                         false, false}});
@@ -197,7 +197,9 @@ private:
         for (const FrameQuantity<Energy>& row : energyQuantities()) {
             if (row.display.unit.empty()) continue;
             double most = 0.0;
-            for (const FrameHead& frame : run_.frames()) most = std::max(most, std::abs(row.value(frame.energy)));
+            for (const FrameHead& frame : run_.frames())
+                if (const double value = row.value(frame.energy); canBeShown(value))
+                    most = std::max(most, std::abs(value));
             largest = std::max(largest, most);
             rows.emplace_back(most, &row);
         }

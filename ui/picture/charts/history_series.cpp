@@ -4,6 +4,7 @@
 
 #include "solver/results/history.h"
 #include "solver/scene/units.h"
+#include "ui/picture/ticks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,9 @@ double largestEnergy(const std::vector<FrameHead>& frames) {
     double largest = 0.0;
     for (const FrameQuantity<Energy>& row : energyQuantities())
         if (!row.display.unit.empty())
-            for (const FrameHead& frame : frames) largest = std::max(largest, std::abs(row.value(frame.energy)));
+            for (const FrameHead& frame : frames)
+                if (const double value = row.value(frame.energy); canBeShown(value))
+                    largest = std::max(largest, std::abs(value));
     return largest;
 }
 

@@ -16,6 +16,7 @@ constexpr double leastBetweenEvents = 0.005;  // fraction of the chart's width
 void thinEvents(Chart& chart) {
     const double least = leastBetweenEvents * (chart.x.high - chart.x.low);
     std::vector<double> kept;
+    std::erase_if(chart.events, [](double place) { return !canBeShown(place); });
     std::sort(chart.events.begin(), chart.events.end());
     for (const double place : chart.events)
         if (kept.empty() || place - kept.back() >= least) kept.push_back(place);
@@ -43,7 +44,7 @@ void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, cons
               const std::vector<double>& y) {
     ChartCurve piece{"", style, {}, {}};
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const bool known = std::isfinite(x[i]) && std::isfinite(y[i]);
+        const bool known = canBeShown(x[i]) && canBeShown(y[i]);
         if (known) {
             piece.x.push_back(x[i]);
             piece.y.push_back(y[i]);
@@ -58,6 +59,7 @@ void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, cons
 
 bool finishChart(Chart& chart) {
     if (chart.panels.empty() || !(chart.x.low < chart.x.high)) return false;
+    if (!canBeShown(chart.x.low) || !canBeShown(chart.x.high)) return false;
     if (!chart.overTime) chart.x = roundedRange(chart.x, 9);
     thinEvents(chart);
     for (ChartPanel& panel : chart.panels) fitRange(panel);

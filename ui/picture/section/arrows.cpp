@@ -4,6 +4,7 @@
 
 #include "solver/results/frame_quantities.h"
 #include "solver/scene/units.h"
+#include "ui/picture/ticks.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 3> arrowKinds{"stress-crosses", "displacement-arrows", "velocity-arrows"};
 
 constexpr double longestArrow = 9.0;  // [mm]
+constexpr double smallestArrow = 1e-100;  // values below this have no scale
 constexpr double megapascals = perSi(namedUnit("MPa")), millimetres = perSi(namedUnit("mm"));
 
 void addBar(ArrowField& field, const Point& place, const Point& along, double compression) {
@@ -58,7 +60,11 @@ ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Poin
             field.marks.push_back({ArrowShape::Arrow, places[b], block.displacement * millimetres});
         if (kind == ArrowKind::Velocities) field.marks.push_back({ArrowShape::Arrow, places[b], block.velocity});
     }
+    std::erase_if(field.marks, [](const ArrowMark& mark) {
+        return !canBeShown(mark.value.norm()) || !canBeShown(mark.place.norm());
+    });
     for (const ArrowMark& mark : field.marks) field.largest = std::max(field.largest, mark.value.norm());
+    if (field.largest < smallestArrow) field.largest = 0.0;
     return field;
 }
 

@@ -82,7 +82,7 @@ void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes) 
         if (!bears(contact)) continue;
         const ContactLine line = contactLine(contact);
         const double size = line.force.norm();
-        if (size == 0.0) continue;
+        if (size == 0.0 || !canBeShown(size)) continue;
         sizes.push_back(size);
         scale.largest = std::max(scale.largest, size);
         const auto at = std::lower_bound(scale.kinds.begin(), scale.kinds.end(), line.kind);
@@ -116,7 +116,7 @@ ContactField contactField(const ContactScale& scale, const Frame& frame, const s
         if (!bears(frame.contacts[i])) continue;
         ContactLine line = contactLine(frame.contacts[i]);
         line.place = places[i];
-        if (line.force.norm() == 0.0) continue;
+        if (line.force.norm() == 0.0 || !canBeShown(line.force.norm()) || !canBeShown(line.place.norm())) continue;
         field.largest = std::max(field.largest, line.force.norm());
         field.lines.push_back(line);
     }

@@ -7,6 +7,7 @@
 #include "solver/scene/solved_blocks.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/chart.h"
+#include "ui/picture/not_finite.h"
 #include "ui/picture/section/deformed.h"
 #include "ui/picture/section/faces.h"
 #include "ui/picture/section/section_ranges.h"
@@ -26,6 +27,11 @@ constexpr double nearlyAll = 0.6;  // if the view covers more than this fraction
 
 Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
 double areaOf(const Box& box) { return (box.max - box.min).prod(); }
+template <typename Row>
+double shownValue(const FrameQuantity<Row>& quantity, const Row& row) {
+    return quantity.value(row) * quantity.display.factor;
+}
+
 bool areTouching(const Box& a, const Box& b) {
     return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
@@ -37,7 +43,8 @@ public:
           before_(cornersBefore(solved_)) {
         if (request.frame) frame_ = run.frame(*request.frame);
         present_.assign(before_.size(), 1);
-        for (std::size_t b = 0; b < frame_.blocks.size(); ++b) present_[b] = frame_.blocks[b].area > 0.0;
+        for (std::size_t b = 0; b < frame_.blocks.size(); ++b)
+            present_[b] = frame_.blocks[b].area > 0.0 && canBeDrawn(frame_.blocks[b]);
     }
 
     SectionPicture build() {
@@ -45,6 +52,7 @@ public:
         picture_.title = titleOf(run_, request_.frame);
         picture_.subtitle = subtitleOf(scene_, request_.factor);
         if (request_.frame) {
+            picture_.notFinite = notFiniteText(frame_);
             const SectionLegends legends =
                 withNow(request_.legends ? *request_.legends : sectionLegends(run_, request_), request_, frame_);
             picture_.blockLegend = legends.blocks;
@@ -81,7 +89,8 @@ private:
             for (std::size_t i = 0; i < drawn_[b].size(); ++i)
                 shape.displaced = std::max(shape.displaced, (drawn_[b][i] - before_[b][i]).norm());
             if (picture_.blockLegend)
-                shape.value = request_.blocks->value(frame_.blocks[b]) * request_.blocks->display.factor;
+                if (const double value = shownValue(*request_.blocks, frame_.blocks[b]); canBeShown(value))
+                    shape.value = value;
             picture_.blocks.push_back(std::move(shape));
         }
     }
@@ -131,7 +140,7 @@ private:
                 shape.nodes = {bolt.farEnd, bolt.head};
                 shape.s = {0.0, (bolt.head - bolt.farEnd).norm()};
                 shape.broken = {0};
-            } else if (!frame_.bolts[b].nodes.empty()) {
+            } else if (!frame_.bolts[b].nodes.empty() && canBeDrawn(frame_.bolts[b])) {
                 fillBolt(bolt, frame_.bolts[b], shape);
             } else {
                 continue;
@@ -145,9 +154,9 @@ private:
         for (const BoltNodeFrame& node : frame.nodes) shape.s.push_back(node.s);
         for (std::size_t e = 0; e + 1 < frame.nodes.size(); ++e) {
             shape.broken.push_back(frame.nodes[e].ruptured || frame.lost);
-            if (picture_.boltLegend)
-                shape.values.push_back(request_.bolts->value(frame.nodes[e]) * request_.bolts->display.factor);
+            if (picture_.boltLegend) shape.values.push_back(shownValue(*request_.bolts, frame.nodes[e]));
         }
+        if (!std::ranges::all_of(shape.values, canBeShown)) shape.values.clear();
         shape.marks = marksOf(bolt, shape.bolt, frame, shape.nodes, events_);
     }
 
@@ -208,8 +217,8 @@ private:
     }
 
     void chooseWindow() {
-        if (picture_.blocks.empty()) return;
-        Box model = boxOf(picture_.blocks.front().before);
+        if (before_.empty()) return;
+        Box model = boxOf(before_.front());
         for (const auto& corners : before_) model = united(model, boxOf(corners));
         Box drawn = model;
         for (const BlockShape& shape : picture_.blocks) drawn = united(drawn, boxOf(shape.outline));

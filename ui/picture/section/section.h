@@ -86,6 +86,7 @@ struct SectionPicture {
     double factor = 1.0;  // scale factor of displacements
     ShownNumbers numbers;  // units and sign convention of the values
     std::string title, subtitle;
+    std::string notFinite{};  // says what is not shown because it is not finite; empty: everything is
 };
 
 /// Drawing data of the requested section. \pre `request.frame` is null or the index of a frame of the run.

@@ -23,12 +23,15 @@ void gather(const SectionRequest& request, const Frame& frame, std::vector<Weigh
             std::vector<Weighed>& bolts) {
     if (request.blocks)
         for (const BlockState& block : frame.blocks)
-            if (block.area > 0.0)
-                blocks.push_back({request.blocks->value(block) * request.blocks->display.factor, block.area});
+            if (const double value = request.blocks->value(block) * request.blocks->display.factor;
+                block.area > 0.0 && canBeShown(value))
+                blocks.push_back({value, block.area});
     if (request.bolts)
         for (const BoltFrame& bolt : frame.bolts)
             for (std::size_t i = 0; i + 1 < bolt.nodes.size(); ++i)
-                bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
+                if (const double value = request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor;
+                    canBeShown(value))
+                    bolts.push_back({value, 1.0});
 }
 
 /// Bolts are coloured by magnitude, on a scale that starts at 0.
