@@ -11,11 +11,49 @@
 #include <QCommandLineParser>
 #include <QIcon>
 
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+namespace {
+
+constexpr int noDisplayCode = 2;
+constexpr std::chrono::seconds longestEnd{30};
+
+/// Takes the place of Qt's abort if no window can be shown, as without a display.
+void endWithReason(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type != QtFatalMsg) return;
+    const bool noDisplay = qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+    QByteArray why = noDisplay ? QByteArray("there is no display (DISPLAY is not set)")
+                               : message.section('\n', 0, 0).toLocal8Bit();
+    if (!noDisplay && message.contains("platform plugin"))
+        why = "the display " + (qgetenv("DISPLAY") + ' ' + qgetenv("WAYLAND_DISPLAY")).trimmed() + " cannot be used";
+    std::fprintf(stderr,
+                 "error: no window can be shown: %s; log in to a desktop or give a display, or use the program "
+                 "keyblock, which needs none\n",
+                 why.constData());
+    std::_Exit(noDisplayCode);
+}
+
+/// Work in the background ends when its window is closed. The program ends even if some of it does not: everything that
+/// was saved is complete on the disk, and a run can be resumed.
+void endSoon(int code) {
+    std::thread([code] {
+        std::this_thread::sleep_for(longestEnd);
+        std::_Exit(code);
+    }).detach();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     keyblock::leaveProcessorsToRuns();
+    qInstallMessageHandler(endWithReason);
     QApplication application(argc, argv);
+    qInstallMessageHandler(nullptr);
     QCoreApplication::setApplicationName("keyblock-studio");
     QCoreApplication::setOrganizationName("keyblock");
     QApplication::setWindowIcon(QIcon(":/icons/app.svg"));
@@ -33,5 +71,7 @@ int main(int argc, char** argv) {
     keyblock::MainWindow window(themes);
     window.show();
     window.begin(parser.positionalArguments().value(0));
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    endSoon(code);
+    return code;
 }

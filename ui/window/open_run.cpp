@@ -40,15 +40,30 @@ QString sceneFileOf(const QFileInfo& store, const std::string& hash) {
     return {};
 }
 
-std::optional<SceneOfRun> sceneOfRun(const QString& store) {
+/// \param why set to the reason if the run cannot be read
+std::optional<SceneOfRun> sceneOfRun(const QString& store, std::string& why) {
     try {
         const std::string path = store.toStdString();
         SceneOfRun found{runSummary(path).sceneHash, storedScene(path), {}};
         found.file = sceneFileOf(QFileInfo(store), found.hash);
         return found;
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        why = error.what();
         return std::nullopt;
     }
+}
+
+/// A run that cannot be read is reported as a scene is: until another document is opened. The message is that of the
+/// command line, "cannot read PATH: reason; remedy".
+void reportUnreadable(Document& document, const QString& path, std::string why) {
+    const std::string start = "cannot read " + path.toStdString() + ": ";
+    if (why.starts_with(start)) why.erase(0, start.size());
+    const std::size_t parting = why.rfind("; ");
+    Problem problem;
+    problem.file = path.toStdString();
+    problem.message = why.substr(0, parting);
+    if (parting != std::string::npos) problem.remedy = why.substr(parting + 2);
+    Q_EMIT document.readInPart({path, {}, {problem}, 0, false});
 }
 
 /// Opens the scene of a run. False if the user keeps the current document.
@@ -63,7 +78,9 @@ bool takeScene(Document& document, SceneOfRun found, const QString& name, QWidge
 
 void openRun(Document& document, Runs& runs, const QString& store, QWidget& window, UnsavedEdits edits) {
     const QString path = QFileInfo(store).absoluteFilePath();
-    std::optional<SceneOfRun> found = sceneOfRun(path);
+    std::string why;
+    std::optional<SceneOfRun> found = sceneOfRun(path, why);
+    if (!found) reportUnreadable(document, path, why);
     if (found && !takeScene(document, std::move(*found), QFileInfo(path).completeBaseName(), window, edits)) return;
     runs.open(path);
 }

@@ -16,10 +16,12 @@
 #include "ui/start/import_window.h"
 #include "ui/window/main_window.h"
 
+#include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QUndoStack>
 #include <gtest/gtest.h>
 
@@ -116,6 +118,28 @@ TEST_F(Opening, AnImportedDrawingCanBeRunUndoneAndRecovered) {
     document().undo().undo();
     EXPECT_FALSE(document().committed()->domain);
     EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(Opening, WhatCannotBeOpenedStaysReported) {
+    test::putContent(folder_.path() / "empty.kbrun", "");
+    test::putContent(folder_.path() / "text.kbrun", "no run at all, but long enough");
+    fs::create_directory(folder_.path() / "folder.json");
+    auto* dock = window_->findChild<QDockWidget*>("readingDock");
+    const auto* problems = window_->findChild<QTreeWidget*>("reading.problems");
+    for (const auto& [name, words] : std::vector<std::pair<std::string, QString>>{
+             {"empty.kbrun", "it is empty"},
+             {"text.kbrun", "it is not a run store"},
+             {"missing.kbrun", "there is no such file"},
+             {"folder.json", "this is a folder, not a scene file"},
+             {"missing.json", "the file cannot be opened: No such file or directory"}}) {
+        dock->hide();
+        open(folder_.path() / name);
+        EXPECT_TRUE(waitFor([&] { return dock->isVisible(); })) << name;
+        ASSERT_EQ(problems->topLevelItemCount(), 1) << name;
+        EXPECT_EQ(problems->topLevelItem(0)->text(1), words) << name;
+        EXPECT_FALSE(problems->topLevelItem(0)->text(2).isEmpty()) << name;
+        EXPECT_FALSE(document().isModified()) << name;
+    }
 }
 
 TEST_F(Opening, AnotherSceneOpensAtTheGeometryStep) {
