@@ -105,7 +105,11 @@ bool canWriteMovies() { return !findProgram("ffmpeg").empty(); }
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
     if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
-    writeAtomically(part_, [](std::ostream&) {});  // reports an error at once, and more clearly than ffmpeg would later
+    try {
+        writeAtomically(part_, [](std::ostream&) {});  // reports an error at once, and more clearly than ffmpeg would
+    } catch (const CannotWrite& error) {
+        throw CannotWrite(named(error.what()));
+    }
     const std::string program = findProgram("ffmpeg");
     if (program.empty()) {
         fs::remove(part_);
@@ -154,9 +158,17 @@ bool MovieFile::hasEnded() {
     return process_ < 0;
 }
 
+/// A message with the name of the file in place of its temporary name.
+std::string MovieFile::named(std::string text) const {
+    const std::string part = part_.string();
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+        text.replace(at, part.size(), path_.string());
+    return text;
+}
+
 /// The first line of ffmpeg's messages gives the cause; the following lines result from it.
 void MovieFile::fail() {
-    const std::string why = said_.substr(0, said_.find('\n'));
+    const std::string why = named(said_.substr(0, said_.find('\n')));
     throw CannotWrite("cannot write " + path_.string() + ": ffmpeg failed: " +
                       (why.empty() ? "it gave no reason" : why) +
                       "; check the free space and the codecs of ffmpeg, or name a folder for PNG images");
@@ -184,6 +196,10 @@ void MovieFile::finish() {
     readMessages();
     if (!WIFEXITED(status_) || WEXITSTATUS(status_) != 0) fail();
     std::error_code error;
+    if (fs::file_size(part_, error) == 0 || error) {
+        said_ = "it wrote nothing";
+        fail();
+    }
     fs::rename(part_, path_, error);
     if (error) throw CannotWrite(cannotWriteText(path_, error.value()));
 }

@@ -47,6 +47,7 @@ private:
     void start(const std::string& program, const std::vector<std::string>& words);
     void readMessages();
     bool hasEnded();
+    std::string named(std::string text) const;
     [[noreturn]] void fail();
 
     std::filesystem::path path_, part_;

@@ -140,6 +140,21 @@ TEST_F(Animations, WhatFfmpegSaysIsPrintedOnOneLine) {
     EXPECT_FALSE(exists("film.mp4"));
 }
 
+TEST_F(Animations, AnFfmpegThatWritesNothingIsAnError) {
+    fs::create_directory(folder() / "bin");
+    put("bin/ffmpeg", "#!/bin/sh\nexec /bin/cat >/dev/null\n");
+    fs::permissions(folder() / "bin/ffmpeg", fs::perms::owner_all);
+    expectFailure(6, animate("film.mp4", {"--dpi", "60"}, {{"PATH", path("bin")}}), "it wrote nothing");
+    EXPECT_FALSE(exists("film.mp4"));
+}
+
+TEST_F(Animations, MessagesNameTheFileAsTheUserDid) {
+    const Ended ended = animate("no/folder/film.mp4");
+    EXPECT_EQ(ended.code, 6);
+    EXPECT_NE(ended.err.find("no/folder/film.mp4: "), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find(".part-"), std::string::npos) << ended.err;
+}
+
 TEST_F(Animations, StopsAtOnceAndLeavesNothing) {
     fs::create_directory(folder() / "bin");
     put("bin/ffmpeg", "#!/bin/sh\nexec /bin/sleep 600\n");  // reads nothing, and outlasts the test
