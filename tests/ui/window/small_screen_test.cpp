@@ -82,6 +82,8 @@ TEST_P(SmallScreens, RunButtonOfTheModelSummaryIsNotCut) {
     ASSERT_TRUE(run);
     EXPECT_TRUE(waitFor([&] { return isWhole(*run) && isWhole(*time); }))
         << run->visibleRegion().boundingRect().height() << " of " << run->height() << " px";
+    EXPECT_TRUE(waitFor([&] { return time->height() >= time->sizeHint().height(); }, 5000))
+        << time->height() << " of " << time->sizeHint().height() << " px";
 }
 
 TEST_P(SmallScreens, BoltDiagramAndCurvesAreDrawn) {
@@ -114,7 +116,8 @@ TEST_P(SmallScreens, ViewControlsWithoutRoomAreInTheMenu) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, SmallScreens, testing::Values(QSize(1366, 728), QSize(1280, 680)));
+INSTANTIATE_TEST_SUITE_P(Sizes, SmallScreens,
+                         testing::Values(QSize(1366, 728), QSize(1280, 680), QSize(1280, 800), QSize(1400, 900)));
 
 class Widths : public SmallScreens {};
 

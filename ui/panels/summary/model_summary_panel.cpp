@@ -5,6 +5,7 @@
 #include "ui/document/background.h"
 #include "ui/document/document.h"
 #include "ui/look/commands.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/panels/summary/model_summary_rows.h"
 
@@ -18,7 +19,9 @@
 #include <QVariant>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -148,17 +151,30 @@ void ModelSummaryPanel::makeRunButton() {
 
 void ModelSummaryPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    chooseCosts();  // fonts are known from here on
     if (!summary_) askLater();
 }
 
 void ModelSummaryPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool low = height() < roomForRange;
-    if (std::exchange(low_, low) != low) placeCosts();
+    chooseCosts();
     const bool narrow = width() - costWidth < roomForReasons;
     if (narrow == narrow_) return;
     narrow_ = narrow;
     if (summary_) present();
+}
+
+/// Chooses whether the costs are placed one below the other or share lines. The height that the former needs depends on
+/// fonts, so it is measured while they are placed in this way.
+void ModelSummaryPanel::chooseCosts() {
+    if (!low_) {
+        for (QWidget* part : std::initializer_list<QWidget*>{timeName_, time_, range_, memoryName_, memory_, run_})
+            part->ensurePolished();
+        costs_->layout()->invalidate();
+        heightOfCosts_ = std::max(roomForRange, costs_->layout()->sizeHint().height());
+    }
+    const bool low = height() < heightOfCosts_;
+    if (std::exchange(low_, low) != low) placeCosts();
 }
 
 void ModelSummaryPanel::setBusy(bool busy) {
@@ -219,7 +235,7 @@ void ModelSummaryPanel::addRow(int row, const QStringList& texts, const char* ro
         font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
         cell->setFont(font);
         cell->setAlignment((i == 1 || i == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        cell->setToolTip(texts.value(3));
+        cell->setToolTip(asTip(texts.value(3)));
         grid_->addWidget(cell, row, i);
     }
     if (!narrow_) addWhy(row, texts.value(3));
@@ -229,7 +245,7 @@ void ModelSummaryPanel::addWhy(int row, const QString& why) {
     auto* cell = labelOf(table_, "detail", why);
     cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     cell->setWordWrap(true);
-    cell->setToolTip(why);
+    cell->setToolTip(asTip(why));
     grid_->addWidget(cell, row, 3);
 }
 
@@ -254,7 +270,7 @@ void ModelSummaryPanel::present() {
         if (part.leftOut) {
             auto* what = labelOf(table_, "cell", part.what);
             what->setWordWrap(true);
-            what->setToolTip(part.why);
+            what->setToolTip(asTip(part.why));
             grid_->addWidget(what, row, 0, 1, 3);
             if (!narrow_) addWhy(row, part.why);
             ++row;
@@ -270,8 +286,9 @@ void ModelSummaryPanel::present() {
                     : QString());
     memory_->setText(runs ? memoryText(estimate.memory) : QString::fromUtf8("–"));
     const QString details = runs ? range_->text() + '\n' + estimateDetails(estimate) : QString();
-    for (QLabel* label : {time_, range_, memory_}) label->setToolTip(details);
+    for (QLabel* label : {time_, range_, memory_}) label->setToolTip(asTip(details));
     run_->setEnabled(runs && commands_.has("run.start"));
+    chooseCosts();
 }
 
 }  // namespace keyblock

@@ -53,6 +53,7 @@ private:
     void tell(const QString& why);
     QWidget* makeCosts();
     void placeCosts();
+    void chooseCosts();
     void makeRunButton();
     void addWhy(int row, const QString& why);
     void addRow(int row, const QStringList& texts, const char* role, bool bold);
@@ -66,6 +67,7 @@ private:
     std::shared_ptr<const ModelSummary> summary_;
     bool busy_ = false;
     bool narrow_ = false;  // too narrow for the reasons, which are then in tooltips
+    int heightOfCosts_ = 0;  // [px] that the costs need one below the other
     bool low_ = false;  // too low for the range of the estimate, which is then in a tooltip
     QWidget* costs_ = nullptr;
     QWidget* table_ = nullptr;
