@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How much work a step in motion takes, counted and never timed: a wall of 1,053
-// blocks at rest, walls of 266 and 1,053 that slide and topple, a field of 974 cells
-// with a hole dug into it, and the drift without bolts. No step is cut.
+// blocks at rest, walls of 266 and 1,053 that slide and topple, the smaller of them also
+// with bolts, a field of 974 cells with a hole dug into it, and the drift without bolts.
+// No step is cut.
+#include "solver/files/scene/bolt_library.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "wall.h"
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace keyblock {
 namespace {
@@ -61,6 +64,23 @@ TEST(StepWork, SlidingWallTakesFiveFactorizationsAtMost) { expectWork(healthAfte
 
 TEST(StepWork, SlidingWallOfAThousandBlocksTakesElevenFactorizationsAtMost) {
     expectWork(healthAfter(tiltedWall(40, 26), 0.05), 11.0, 6.0);
+}
+
+TEST(StepWork, SlidingWallWithBoltsTakesHalfAsMuchAgainAtMost) {
+    const Scene plain = tiltedWall(20, 13);
+    Scene bolted = plain;
+    bolted.boltTypes = builtInBoltTypes();
+    for (int i = 0; i < 20; ++i) {
+        Bolt bolt;
+        bolt.name = "R" + std::to_string(i + 1);
+        bolt.type = "rebar-20";
+        bolt.divisions = 60;
+        bolt.farEnd = {1.27 + 1.8 * (i % 10), 1.585 + 2.75 * (i / 10)};
+        bolt.head = bolt.farEnd + Point(1.2, 0.31);
+        bolted.bolts.push_back(bolt);
+    }
+    const Health without = healthAfter(plain, 0.1), with = healthAfter(bolted, 0.1);
+    expectWork(with, 1.5 * workOf(without.work) / static_cast<double>(without.steps), 5.0);
 }
 
 TEST(StepWork, HoleDugIntoCellsTakesFiveFactorizationsAStepAtMost) {

@@ -10,6 +10,7 @@
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/balance.h"
 #include "solver/engine/step/step_solver.h"
+#include "solver/files/scene/bolt_library.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +29,17 @@ StepProblem slidingWall(const Model& model, const StepOptions& options) {
     return buildStep(model, state, Loads{}, at, options);
 }
 
+Bolt rebar(Point farEnd, Point head) {
+    Bolt bolt;
+    bolt.type = "rebar-20";
+    bolt.farEnd = farEnd;
+    bolt.head = head;
+    bolt.divisions = 12;
+    return bolt;
+}
+
 /// Three boxes on three, half a box apart, on a fixed base.
-Model wallModel() {
+Model wallModel(const std::vector<Bolt>& bolts = {}) {
     Scene scene = emptyScene(10e9, 0.2, 20.0);
     scene.analysis.gravity = {4.0, -9.0};
     scene.blocks = {boxBlock("base", {-1, -1}, {5, 0})};
@@ -39,11 +49,12 @@ Model wallModel() {
     Support support;
     support.blockAt = Point(0.0, -0.5);
     scene.supports = {support};
+    scene.boltTypes = builtInBoltTypes();
+    scene.bolts = bolts;
     return makeModel(scene);
 }
 
-TEST(DualSweeps, FindTheStatesOfTheStep) {
-    const Model model = wallModel();
+void expectToFindTheStates(const Model& model) {
     for (const Inertia inertia : {Inertia::Shi, Inertia::BackwardEuler, Inertia::Newmark, Inertia::GeneralizedAlpha}) {
         StepOptions options{inertia, 1e-3};
         options.rhoInf = 0.8;
@@ -70,6 +81,12 @@ TEST(DualSweeps, FindTheStatesOfTheStep) {
         ASSERT_TRUE(StepSolver().solve(again, d, {.tolerance = 1e-9}, {}).converged) << static_cast<int>(inertia);
         EXPECT_LE((unpadded(trial.d) - d).norm(), 1e-3 * d.norm()) << static_cast<int>(inertia);
     }
+}
+
+TEST(DualSweeps, FindTheStatesOfTheStep) { expectToFindTheStates(wallModel()); }
+
+TEST(DualSweeps, FindTheStatesOfAStepWithBolts) {
+    expectToFindTheStates(wallModel({rebar({0.4, 0.3}, {1.7, 0.6}), rebar({1.3, 0.5}, {2.1, 1.8})}));
 }
 
 TEST(DualSweeps, AreNotPossibleWithoutMass) {
