@@ -21,6 +21,8 @@ namespace keyblock::cli {
 
 namespace {
 
+constexpr std::size_t mostInOrder = 6;  // events of `order KIND` that are listed
+
 std::string stageTable(const Scene& scene, const std::vector<StageRecord>& records,
                        const std::map<int, double>& seconds) {
     std::vector<TextColumn> columns{
@@ -71,12 +73,13 @@ std::string measuredText(const Measurement& measurement) {
     return measurement.value ? shown(*measurement.value) : "–";
 }
 
-std::string quantityTable(const RunSource& run, const std::vector<HistoryRow>& history,
-                          const std::vector<Event>& events) {
+std::string quantityTable(const RecordedRun& run) {
     std::vector<TextRow> rows;
-    for (const std::string& text : run.scene().quantities) {
-        const Measurement measurement = measure(text, run.scene(), history, events);
-        rows.push_back({text, measuredText(measurement), measurement.problem});
+    for (const std::string& text : run.scene.quantities) {
+        const Measurement measurement = measure(text, run);
+        const std::string remark =
+            measurement.order.empty() ? measurement.problem : orderText(measurement.order, mostInOrder);
+        rows.push_back({text, measuredText(measurement), remark});
     }
     return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value (SI)", Align::Right}, {""}}, rows);
 }
@@ -110,12 +113,10 @@ TextRow expectedRow(const MeasuredComparison& comparison, bool whole) {
             known ? expected.source : comparison.measured.problem};
 }
 
-std::string expectedTable(const RunSource& run, const std::vector<HistoryRow>& history,
-                          const std::vector<Event>& events) {
-    const bool whole = isWhole(run.stages());
+std::string expectedTable(const RecordedRun& run, const std::vector<StageRecord>& records) {
+    const bool whole = isWhole(records);
     std::vector<TextRow> rows;
-    for (const Expected& expected : run.scene().about.expected)
-        rows.push_back(expectedRow(compare(expected, run.scene(), history, events), whole));
+    for (const Expected& expected : run.scene.about.expected) rows.push_back(expectedRow(compare(expected, run), whole));
     if (rows.empty())
         return {};
     return "\n" + textTable({{"expected by the scene"},
@@ -177,7 +178,8 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n" + verdictText(run);
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
     text += chainLines(run, events) + boltUseTable(run) + boltEnergyTable(run);
-    return text + quantityTable(run, history, events) + expectedTable(run, history, events);
+    const RecordedRun recorded{run.scene(), history, events, records};
+    return text + quantityTable(recorded) + expectedTable(recorded, records);
 }
 
 }  // namespace keyblock::cli

@@ -6,10 +6,13 @@
 #include "solver/results/history.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 
 namespace {
+
+constexpr int magnitude = 2;  // `Subject::component` of the magnitude of a displacement
 
 /// The unit as the suffix of a column name, for example "_N".
 std::string unitSuffix(BoltQuantity quantity) {
@@ -55,10 +58,16 @@ HistoryColumns historyColumns(const Scene& scene) {
 
 int historyColumn(const Scene& scene, const Subject& subject) {
     if (subject.monitor >= 0)
-        return firstColumnOf(scene, subject.monitor) + subject.component;
+        return firstColumnOf(scene, subject.monitor) + subject.component % magnitude;
     const int monitorValues = firstColumnOf(scene, static_cast<int>(scene.monitors.size()));
     return monitorValues + subject.bolt * static_cast<int>(boltQuantityRows.size()) +
            static_cast<int>(subject.boltQuantity);
+}
+
+double valueIn(const HistoryRow& row, const Subject& subject, int column) {
+    if (subject.monitor >= 0 && subject.component == magnitude)
+        return std::hypot(row.values[column], row.values[column + 1]);
+    return row.values[column];
 }
 
 }  // namespace keyblock

@@ -14,7 +14,11 @@ namespace keyblock {
 /// column for each quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
-/// Index in `historyColumns(scene).names` of the column that records the values of `subject`.
+/// Index in `historyColumns(scene).names` of the column that records the values of `subject`; of a magnitude, that of ux,
+/// which uy follows.
 int historyColumn(const Scene& scene, const Subject& subject);
+
+/// The value of `subject` in a row, whose column is `column`. NaN if the row has none.
+double valueIn(const HistoryRow& row, const Subject& subject, int column);
 
 }  // namespace keyblock

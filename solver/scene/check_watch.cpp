@@ -86,8 +86,20 @@ void checkQuantity(const std::string& text, const std::string& pointer, CheckCon
     const QuantityReading reading = readQuantity(text, context.scene);
     if (!reading.quantity && context.isCut)
         context.report.error(pointer, reading.problem,
-                             "Write, for instance, \"max MONITOR\", \"last BOLT.axial_force\" or \"first debonding "
-                             "MONITOR\"");
+                             "Write, for instance, \"max MONITOR\", \"last BOLT.axial_force\", \"first debonding "
+                             "MONITOR\", \"count debonding\" or \"stands\"");
+}
+
+/// An expected value is a number that one run gives.
+void checkExpected(const Expected& expected, const std::string& pointer, CheckContext& context) {
+    checkQuantity(expected.quantity, pointer, context);
+    const QuantityReading reading = readQuantity(expected.quantity, context.scene);
+    if (reading.quantity && reading.quantity->kind == QuantityKind::Order)
+        context.report.error(pointer, "an order of events is not a number, so it cannot be expected",
+                             "Expect a number of events, as in \"count debonding\"");
+    if (reading.quantity && reading.quantity->kind == QuantityKind::FactorOfSafety)
+        context.report.error(pointer, "a run does not give a factor of safety, so it cannot be expected",
+                             "Expect whether the scene is stable, \"stands\", with the value 1 or 0");
 }
 
 }  // namespace
@@ -102,7 +114,7 @@ void checkWatch(CheckContext& context) {
     for (std::size_t i = 0; i < scene.quantities.size(); ++i)
         checkQuantity(scene.quantities[i], under("/quantities", i), context);
     for (std::size_t i = 0; i < scene.about.expected.size(); ++i)
-        checkQuantity(scene.about.expected[i].quantity, under(under("/about/expected", i), "quantity"), context);
+        checkExpected(scene.about.expected[i], under(under("/about/expected", i), "quantity"), context);
 }
 
 }  // namespace keyblock

@@ -53,9 +53,11 @@ const Structure& sceneStructure() {
                                 {.isOrdered = true}),
             row<&Scene::monitors>("monitors", "Points and bolts whose values are recorded in the history."),
             row<&Scene::quantities>("quantities",
-                                    "Numbers of interest: `max|min|last MONITOR[.ux|.uy]`, `max|min|last "
-                                    "BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy]` (just before the first such "
-                                    "event).",
+                                    "Results of interest: `max|min|last MONITOR[.ux|.uy|.u]` (`.u` is the magnitude "
+                                    "of a displacement), `max|min|last BOLT.QUANTITY`, `first KIND "
+                                    "MONITOR[.ux|.uy|.u]` (just before the first such event), `count KIND`, `order "
+                                    "KIND` (what the events happened to, one after the other), `energy_error`, "
+                                    "`factor_of_safety`, `stands` (1 if the scene is stable, otherwise 0).",
                                     {.heading = translatable("Fields", "Quantities of interest"), .isRare = true}),
             row<&Scene::safety>("safety", "Settings of the search for the factor of safety."),
             row<&Scene::output>("output", "Results that a run saves."),

@@ -13,8 +13,23 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Reduction>, 4> reductions{
-    {{"max", Reduction::Max}, {"min", Reduction::Min}, {"last", Reduction::Last}, {"first", Reduction::First}}};
+/// A first word, and what follows it.
+struct FirstWord {
+    std::string_view word;
+    QuantityKind kind;
+    bool takesEvent = false, takesSubject = false;
+};
+
+constexpr std::array firstWords{FirstWord{"max", QuantityKind::Max, false, true},
+                                FirstWord{"min", QuantityKind::Min, false, true},
+                                FirstWord{"last", QuantityKind::Last, false, true},
+                                FirstWord{"first", QuantityKind::First, true, true},
+                                FirstWord{"count", QuantityKind::Count, true, false},
+                                FirstWord{"order", QuantityKind::Order, true, false},
+                                FirstWord{"energy_error", QuantityKind::EnergyError},
+                                FirstWord{"factor_of_safety", QuantityKind::FactorOfSafety},
+                                FirstWord{"stands", QuantityKind::Stands}};
+constexpr std::array<std::string_view, 3> pointParts{"ux", "uy", "u"};  // by `Subject::component`
 
 std::string_view withoutSpaces(std::string_view text) {
     const auto first = text.find_first_not_of(' ');
@@ -67,7 +82,7 @@ struct SubjectReading {
 SubjectReading wholeMonitor(int monitor, const Scene& scene) {
     const std::string& name = scene.monitors[monitor].name;
     if (monitorValueCount(scene.monitors[monitor]) > 1)
-        return {{}, "monitor '" + name + "' is a point: write '" + name + ".ux' or '" + name + ".uy'"};
+        return {{}, "monitor '" + name + "' is a point: write '" + name + ".ux', '" + name + ".uy' or '" + name + ".u'"};
     return {Subject{.monitor = monitor}, ""};
 }
 
@@ -75,9 +90,10 @@ SubjectReading monitorPart(int monitor, std::string_view part, const Scene& scen
     const std::string& name = scene.monitors[monitor].name;
     if (monitorValueCount(scene.monitors[monitor]) == 1)
         return {{}, "monitor '" + name + "' has one value: omit '." + std::string(part) + "'"};
-    if (part != "ux" && part != "uy")
-        return {{}, "monitor '" + name + "' has no '" + std::string(part) + "': write '.ux' or '.uy'"};
-    return {Subject{.monitor = monitor, .component = part == "uy" ? 1 : 0}, ""};
+    const auto found = std::find(pointParts.begin(), pointParts.end(), part);
+    if (found == pointParts.end())
+        return {{}, "monitor '" + name + "' has no '" + std::string(part) + "': write '.ux', '.uy' or '.u'"};
+    return {Subject{.monitor = monitor, .component = static_cast<int>(found - pointParts.begin())}, ""};
 }
 
 SubjectReading boltPart(int bolt, std::string_view part, const Scene& scene) {
@@ -119,22 +135,28 @@ int monitorValueCount(const Monitor& monitor) { return monitor.point ? 2 : 1; }
 QuantityReading readQuantity(std::string_view text, const Scene& scene) {
     std::string_view rest = withoutSpaces(text);
     const std::string_view word = takeWord(rest);
-    const auto reduction = std::find_if(reductions.begin(), reductions.end(),
-                                        [&](const auto& entry) { return entry.first == word; });
-    if (reduction == reductions.end())
-        return {{}, "a quantity starts with max, min, last or first, not with '" + std::string(word) + "'"};
+    const auto first = std::find_if(firstWords.begin(), firstWords.end(),
+                                    [&](const FirstWord& entry) { return entry.word == word; });
+    if (first == firstWords.end())
+        return {{}, "a quantity starts with max, min, last, first, count or order, or is energy_error, factor_of_safety or "
+                    "stands; it does not start with '" + std::string(word) + "'"};
 
-    Quantity quantity{.reduction = reduction->second};
-    if (quantity.reduction == Reduction::First) {
+    Quantity quantity{.kind = first->kind};
+    if (first->takesEvent) {
         const std::string_view kind = takeWord(rest);
         quantity.eventKind = indexOfKey(eventKinds, kind);
         if (quantity.eventKind < 0)
             return {{}, "'" + std::string(kind) + "' is not a kind of event: write one of " + listedKeys(eventKinds)};
     }
+    if (!first->takesSubject) {
+        if (!rest.empty())
+            return {{}, "'" + std::string(word) + "' takes no '" + std::string(rest) + "': omit it"};
+        return {quantity, ""};
+    }
     const SubjectReading subject = readSubject(rest, scene);
     if (!subject.subject)
         return {{}, subject.problem};
-    if (quantity.reduction == Reduction::First && subject.subject->monitor < 0)
+    if (quantity.kind == QuantityKind::First && subject.subject->monitor < 0)
         return {{}, "'first' takes a monitor, not a bolt: add a monitor of '" + std::string(rest) + "' and use its name"};
     quantity.subject = *subject.subject;
     return {quantity, ""};

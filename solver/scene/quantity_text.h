@@ -16,14 +16,15 @@
 
 namespace keyblock {
 
-/// Operation that reduces a column of a run's history to one number. `First` takes the value just before the first
-/// event of a given kind.
-enum class Reduction { Max, Min, Last, First };
+/// What is read from a run. `Max`, `Min` and `Last` reduce a column of the history to one number; `First` takes its value
+/// just before the first event of a given kind. `Count` is the number of events of a kind, `Order` what they happened
+/// to, one after the other. The others concern the run as a whole.
+enum class QuantityKind { Max, Min, Last, First, Count, Order, EnergyError, FactorOfSafety, Stands };
 
 /// Recorded value: a component of a monitor, or a quantity of a bolt.
 struct Subject {
     int monitor = -1;  // index of the monitor; −1: a bolt
-    int component = 0;  // 0: ux or the only value; 1: uy
+    int component = 0;  // 0: ux or the only value; 1: uy; 2: magnitude of the displacement
     int bolt = -1;  // index of the bolt; −1: a monitor
     BoltQuantity boltQuantity = BoltQuantity::AxialForce;
 
@@ -31,9 +32,9 @@ struct Subject {
 };
 
 struct Quantity {
-    Reduction reduction = Reduction::Max;
-    int eventKind = -1;  // index into `eventKinds`; only for `First`
-    Subject subject{};
+    QuantityKind kind = QuantityKind::Max;
+    int eventKind = -1;  // index into `eventKinds`; only for `First`, `Count` and `Order`
+    Subject subject{};  // only for `Max`, `Min`, `Last` and `First`
 
     bool operator==(const Quantity&) const = default;
 };
@@ -45,8 +46,8 @@ struct QuantityReading {
     std::string problem;
 };
 
-/// Reads `max|min|last MONITOR[.ux|.uy]`, `max|min|last BOLT.QUANTITY` and `first KIND MONITOR[.ux|.uy]`.
-/// Names may contain spaces and dots. If a monitor and a bolt have the same name, the part after the dot distinguishes
+/// Reads `max|min|last MONITOR[.ux|.uy|.u]`, `max|min|last BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy|.u]`,
+/// `count|order KIND`, `energy_error`, `factor_of_safety` and `stands`. Names may contain spaces and dots. If a monitor and a bolt have the same name, the part after the dot distinguishes
 /// them.
 QuantityReading readQuantity(std::string_view text, const Scene& scene);
 

@@ -48,8 +48,11 @@ TEST_P(Sample, GivesTheNumbersItNames) {
         if (stage.outcome != Outcome::Collapse) {
             EXPECT_LT(std::abs(stage.health.balanceError), 1e-2) << stage.stage;
         }
+    const MemoryRun run(solved, results);
+    const std::vector<StageRecord> stages = run.stages();
+    const RecordedRun recorded{solved, results.history, results.events, stages};
     for (const Expected& expected : scene.about.expected) {
-        const MeasuredComparison c = compare(expected, solved, results.history, results.events);
+        const MeasuredComparison c = compare(expected, recorded);
         EXPECT_TRUE(c.within) << expected.quantity << ": measured " << c.measured.value.value_or(0.0) << " "
                               << c.measured.problem << ", expected " << expected.value;
     }

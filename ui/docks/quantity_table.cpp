@@ -21,6 +21,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr std::size_t mostInOrder = 6, mostInToolTip = 60;  // events of `order KIND` that are listed
+
 enum Column { Name, Measured, Expect, Deviation, Tolerance, Verdict, Source };
 
 QString numberOf(const Measurement& measurement) {
@@ -98,11 +100,11 @@ void QuantityTable::read() {
         const std::vector<HistoryRow> history = soFar->history();
         const std::vector<Event> events = soFar->events();
         const Scene& scene = soFar->scene();
-        for (const Expected& expected : scene.about.expected)
-            reading.expected.push_back(compare(expected, scene, history, events));
-        for (const std::string& text : scene.quantities)
-            reading.asked.emplace_back(text, measure(text, scene, history, events));
-        reading.isWhole = isWholeRun(soFar->stages());
+        const std::vector<StageRecord> stages = soFar->stages();
+        const RecordedRun recorded{scene, history, events, stages};
+        for (const Expected& expected : scene.about.expected) reading.expected.push_back(compare(expected, recorded));
+        for (const std::string& text : scene.quantities) reading.asked.emplace_back(text, measure(text, recorded));
+        reading.isWhole = isWholeRun(stages);
         return [this, run, reading = std::move(reading)] {
             if (run == cursor_.run()) fill(reading);
         };
@@ -116,6 +118,9 @@ void QuantityTable::fill(const Reading& reading) {
         auto* row = new QTreeWidgetItem(list_, {QString::fromStdString(text), numberOf(measurement)});
         row->setTextAlignment(Measured, Qt::AlignRight | Qt::AlignVCenter);
         row->setText(Source, QString::fromStdString(measurement.problem));
+        if (measurement.order.empty()) continue;
+        row->setText(Source, QString::fromStdString(orderText(measurement.order, mostInOrder)));
+        row->setToolTip(Source, QString::fromStdString(orderText(measurement.order, mostInToolTip)));
     }
     const bool isEmpty = list_->topLevelItemCount() == 0;
     list_->setVisible(!isEmpty);

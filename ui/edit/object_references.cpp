@@ -152,8 +152,10 @@ private:
             quantity(scene_.about.expected[i].quantity, under(under("/about/expected", i), "quantity"), WhenGone::Owner);
     }
 
-    /// Adds the names in a quantity: `max NAME.quantity`, `last NAME` or `first KIND NAME`.
+    /// Adds the names in a quantity: `max NAME.quantity`, `last NAME` or `first KIND NAME`. The other quantities contain
+    /// none.
     void quantity(std::string& text, const std::string& pointer, WhenGone whenGone) {
+        if (text.starts_with("count ") || text.starts_with("order ")) return;
         std::size_t at = text.find(' ');
         if (at != std::string::npos && text.starts_with("first ")) at = text.find(' ', at + 1);
         if (at == std::string::npos) return;

@@ -79,6 +79,52 @@ TEST(Measure, SaysWhyThereIsNoNumber) {
     EXPECT_FALSE(measure("first debonding opening", scene, results).value);
 }
 
+TEST(Measure, TakesTheMagnitudeOfADisplacementRowByRow) {
+    Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    for (HistoryRow& row : results.history) row.values[0] = row.values[1] = 0.0;
+    results.history[1].values[0] = -3.0;
+    results.history[1].values[1] = 4.0;
+    results.history[2].values[1] = 4.5;
+    EXPECT_EQ(measure("max crown.u", scene, results).value, 5.0);
+    EXPECT_EQ(measure("max crown.uy", scene, results).value, 4.5);
+}
+
+TEST(Measure, CountsEventsAndTellsTheirOrder) {
+    const Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    EXPECT_EQ(measure("count debonding", scene, results).value, 1.0);
+    EXPECT_EQ(measure("count collapse", scene, results).value, 0.0);
+    results.events.push_back(results.events.front());
+    results.events.back().node = 0;
+    const std::string bolt = scene.bolts[0].name;
+    EXPECT_EQ(measure("order debonding", scene, results).order, (std::vector<std::string>{bolt + " node 2", bolt + " node 1"}));
+    EXPECT_EQ(measure("order joint-open", scene, results).order.size(), 1u);
+    EXPECT_NE(measure("order collapse", scene, results).problem.find("no collapse"), std::string::npos);
+}
+
+TEST(Measure, TellsWhetherTheSceneStandsAndHowWellItsEnergyBalances) {
+    const Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    ASSERT_FALSE(results.stages.empty());
+    for (StageResult& stage : results.stages) {
+        stage.outcome = Outcome::Equilibrium;
+        stage.unstable.clear();
+        stage.health.balanceError = 1e-6;
+    }
+    results.stages.front().health.balanceError = -2e-4;
+    EXPECT_EQ(measure("energy_error", scene, results).value, 2e-4);
+    EXPECT_EQ(measure("stands", scene, results).value, 1.0);
+    results.stages.back().outcome = Outcome::Collapse;
+    EXPECT_EQ(measure("stands", scene, results).value, 0.0);
+    EXPECT_NE(measure("factor_of_safety", scene, results).problem.find("keyblock safety"), std::string::npos);
+}
+
+TEST(Measure, NamesTheFirstEventsOfALongOrder) {
+    EXPECT_EQ(orderText({"a", "b"}, 2), "a, b");
+    EXPECT_EQ(orderText({"a", "b", "c", "d"}, 2), "a, b, and 2 more");
+}
+
 TEST(Measure, PassesOverRowsWithoutANumber) {
     const Scene scene = test::sampleScene();
     Results results = test::sampleResults();
@@ -90,7 +136,7 @@ TEST(Compare, JudgesByRelativeDeviationAndByAbsoluteWhereZeroIsExpected) {
     const Scene scene = test::sampleScene();
     const Results results = test::sampleResults();
     const auto compared = [&](double value, double tolerance) {
-        return compare({"max opening", value, tolerance, ""}, scene, results.history, results.events);
+        return compare({"max opening", value, tolerance, ""}, {scene, results.history, results.events, {}});
     };
     EXPECT_DOUBLE_EQ(compared(300.0, 0.01).deviation, 2.0 / 300.0);
     EXPECT_TRUE(compared(300.0, 0.01).within);

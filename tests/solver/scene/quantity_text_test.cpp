@@ -38,17 +38,23 @@ void expectUnreadable(const std::string& text, const std::string& part) {
 }
 
 TEST(QuantityText, ReadsEveryForm) {
-    expectQuantity("max joint force", {Reduction::Max, -1, {.monitor = 1}});
-    expectQuantity("last crown.uy", {Reduction::Last, -1, {.monitor = 0, .component = 1}});
-    expectQuantity(" min  crown.ux ", {Reduction::Min, -1, {.monitor = 0}});
-    expectQuantity("first debonding joint force", {Reduction::First, 2, {.monitor = 1}});
-    expectQuantity("max B1.plate_force", {Reduction::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::PlateForce}});
-    expectQuantity("max B.2.strain", {Reduction::Max, -1, {.bolt = 1, .boltQuantity = BoltQuantity::Strain}});
+    expectQuantity("max joint force", {QuantityKind::Max, -1, {.monitor = 1}});
+    expectQuantity("last crown.uy", {QuantityKind::Last, -1, {.monitor = 0, .component = 1}});
+    expectQuantity(" min  crown.ux ", {QuantityKind::Min, -1, {.monitor = 0}});
+    expectQuantity("first debonding joint force", {QuantityKind::First, 2, {.monitor = 1}});
+    expectQuantity("max B1.plate_force", {QuantityKind::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::PlateForce}});
+    expectQuantity("max B.2.strain", {QuantityKind::Max, -1, {.bolt = 1, .boltQuantity = BoltQuantity::Strain}});
+    expectQuantity("max crown.u", {QuantityKind::Max, -1, {.monitor = 0, .component = 2}});
+    expectQuantity("count debonding", {QuantityKind::Count, 2, {}});
+    expectQuantity(" order  debonding", {QuantityKind::Order, 2, {}});
+    expectQuantity("stands", {QuantityKind::Stands, -1, {}});
+    expectQuantity("energy_error ", {QuantityKind::EnergyError, -1, {}});
+    expectQuantity("factor_of_safety", {QuantityKind::FactorOfSafety, -1, {}});
 }
 
 TEST(QuantityText, TellsMonitorAndBoltOfOneNameApart) {
-    expectQuantity("max B1", {Reduction::Max, -1, {.monitor = 2}});
-    expectQuantity("max B1.slip", {Reduction::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::Slip}});
+    expectQuantity("max B1", {QuantityKind::Max, -1, {.monitor = 2}});
+    expectQuantity("max B1.slip", {QuantityKind::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::Slip}});
 }
 
 TEST(QuantityText, SaysWhatToWriteInstead) {
@@ -61,6 +67,9 @@ TEST(QuantityText, SaysWhatToWriteInstead) {
     expectUnreadable("max joint force.ux", "omit");
     expectUnreadable("max B.2.force", "axial_force");
     expectUnreadable("max nothing", "crown, joint force");
+    expectUnreadable("count", "is not a kind of event");
+    expectUnreadable("count debonding crown", "omit");
+    expectUnreadable("stands crown.u", "omit");
 }
 
 }  // namespace
