@@ -81,6 +81,14 @@ struct SafetyOptions {
     bool json = false;
 };
 
+struct TradeOptions {
+    std::filesystem::path scene;
+    std::filesystem::path out;  // folder
+    std::optional<double> budget;  // [s] for all runs together; null: no limit
+    std::vector<std::string> overrides;
+    ProgressKind progress = ProgressKind::Automatic;
+};
+
 struct VerifyOptions {
     std::vector<std::string> names;  // names of cases; empty: all cases
     bool paper = false;  // show the tables of the paper instead of the cases
@@ -92,7 +100,7 @@ struct BoltsOptions {
 };
 
 using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, ImportOptions, SafetyOptions,
-                             VerifyOptions, BoltsOptions>;
+                             TradeOptions, VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
 ExitCode perform(const CheckOptions& options);
@@ -100,6 +108,7 @@ ExitCode perform(const InfoOptions& options);
 ExitCode perform(const ExportOptions& options);
 ExitCode perform(const ImportOptions& options);
 ExitCode perform(const SafetyOptions& options);
+ExitCode perform(const TradeOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);
 

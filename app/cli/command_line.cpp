@@ -47,6 +47,7 @@ struct Options {
     ExportOptions exported;
     ImportOptions imported;
     SafetyOptions safety;
+    TradeOptions trade;
     VerifyOptions verify;
     BoltsOptions bolts;
 };
@@ -58,6 +59,16 @@ void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
         ->take_all();
 }
 
+template <typename VerbOptions>
+void addProgress(CLI::App* verb, VerbOptions& options) {
+    verb->add_option_function<std::string>(
+            "--progress", [&options](const std::string& word) { options.progress = progressKinds.at(word); },
+            "Format of the progress on standard error; json: one object per line; default: bar on a terminal, "
+            "otherwise none")
+        ->type_name("bar|json|none")
+        ->check(progressProblem);
+}
+
 /// Adds the options of commands that run scenes.
 template <typename VerbOptions>
 void addThreadsAndProgress(CLI::App* verb, VerbOptions& options) {
@@ -65,12 +76,7 @@ void addThreadsAndProgress(CLI::App* verb, VerbOptions& options) {
                      "Number of threads; does not affect results; default: all that the machine has")
         ->type_name("N")
         ->check(CLI::Range(1, mostThreads).description(""));
-    verb->add_option_function<std::string>(
-            "--progress", [&options](const std::string& word) { options.progress = progressKinds.at(word); },
-            "Format of the progress on standard error; json: one object per line; default: bar on a terminal, "
-            "otherwise none")
-        ->type_name("bar|json|none")
-        ->check(progressProblem);
+    addProgress(verb, options);
 }
 
 void addRun(CLI::App& app, RunOptions& options) {
@@ -239,6 +245,24 @@ void addSafety(CLI::App& app, SafetyOptions& options) {
     verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
+void addTrade(CLI::App& app, TradeOptions& options) {
+    CLI::App* verb = app.add_subcommand("trade", "Measure what the numerical settings of a scene cost and what they "
+                                                 "change, and recommend some");
+    verb->add_option("SCENE.json", options.scene, "The scene; its 'quantities' are compared, or some that are chosen from "
+                                                  "its results")
+        ->required()
+        ->type_name("");
+    verb->add_option("--out", options.out, "The folder for the table, the page and the chart; an interrupted trade "
+                                           "continues there")
+        ->required()
+        ->type_name("DIR");
+    verb->add_option("--budget", options.budget, "Leave out runs that would exceed this time for all runs together")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber.description(""));
+    addOverrides(verb, options.overrides);
+    addProgress(verb, options);
+}
+
 void addVerify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Check the program against independent reference values");
     CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be repeated")
@@ -310,6 +334,8 @@ Command commandOf(const CLI::App& app, const Options& options) {
         return options.imported;
     if (verb == "safety")
         return options.safety;
+    if (verb == "trade")
+        return options.trade;
     if (verb == "verify")
         return options.verify;
     return options.bolts;
@@ -332,6 +358,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addExport(app, options.exported);
     addImport(app, options.imported);
     addSafety(app, options.safety);
+    addTrade(app, options.trade);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);
     requireKnownVerb(app, argc, argv);

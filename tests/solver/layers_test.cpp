@@ -105,6 +105,7 @@ const std::vector<Room> rooms{
       "solver/scene", "geometry"}},
     {"solver/files", {"solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/verify", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/trade", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"ui/picture/section", belowPictures()},
     {"ui/picture/charts", belowPictures({"ui/picture/section"})},
     {"ui/picture", {"solver/results", "solver/scene", "geometry"}},
@@ -144,7 +145,7 @@ const std::vector<Room> rooms{
       "solver/scene", "geometry"}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/figure", "ui/picture", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results",
+     {"ui/figure", "ui/picture", "solver/trade", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results",
       "solver/scene", "geometry"}},
 };
 

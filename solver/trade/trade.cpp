@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/trade/trade.h"
+
+#include "solver/scene/number_text.h"
+#include "solver/trade/trade_errors.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array combinedErrors{0.1, 0.03, 0.01, 0.003};  // largest error of a combination, shared among its settings
+constexpr double sameTime = 0.9, sameWork = 0.98;  // ratios from which a run is not cheaper
+
+class Measuring {
+public:
+    Measuring(const Scene& scene, const TradeSettings& settings, Trade& trade)
+        : scene_(scene), settings_(settings), trade_(trade), axes_(tradeAxes(scene, tradeModelOf(scene))) {
+        for (const TradeAxis& axis : axes_) {
+            planned_ += axis.settings.size();
+            for (const TradeSetting& setting : axis.settings) cost_ += setting.cost;
+            if (axis.refines && axis.ownSize > 0.0) trade_.ownSizes[axis.name] = axis.ownSize;
+        }
+        planned_ += 2 + combinedErrors.size();
+    }
+
+    bool all() {
+        if (trade_.quantities.empty()) trade_.quantities = scene_.quantities;
+        trade_.proposed = scene_.quantities.empty();
+        TradeSetting own{ownPoint, "", {}, [](Scene&) {}};
+        if (!add(own)) return false;
+        if (!trade_.points.front().failure.empty()) return true;
+        return addReference() && addAxes() && addCombinations();
+    }
+
+private:
+    /// Measures a setting unless its estimated time exceeds what is left. \return false if it was stopped.
+    bool add(const TradeSetting& setting) {
+        ++done_;
+        if (std::optional<TradePoint> before = settings_.known ? settings_.known(setting) : std::nullopt) {
+            take(std::move(*before));
+            return true;
+        }
+        if (const double expected = expectedSeconds(setting); settings_.budget && spent_ + expected > *settings_.budget) {
+            trade_.leftOut.push_back({setting.axis, setting.text,
+                                      "would take some " + rounded(expected) + " s, of which " +
+                                          rounded(std::max(0.0, *settings_.budget - spent_)) + " s are left"});
+            return true;
+        }
+        const TradeRun run = [&](const Scene& scene, const SceneCut& cut, int threads, Sink& sink) {
+            settings_.run(scene, cut, threads, labelOf(setting), sink);
+        };
+        std::optional<TradePoint> point = measurePoint(scene_, setting, trade_.quantities, run);
+        if (!point) return false;
+        if (settings_.measured) settings_.measured(*point);
+        take(std::move(*point));
+        return true;
+    }
+
+    void take(TradePoint point) {
+        spent_ += point.seconds;
+        trade_.points.push_back(std::move(point));
+    }
+
+    /// What is run, e.g. "run 3 of 31, some 40 s left in all, divisions 60".
+    std::string labelOf(const TradeSetting& setting) const {
+        std::string text = "run " + std::to_string(done_) + " of " + std::to_string(std::max(done_, planned_));
+        if (!trade_.points.empty())
+            text += ", some " + rounded(std::max(0.0, cost_ * trade_.points.front().seconds - spent_)) + " s left in all";
+        return text + ", " + setting.axis + (setting.text.empty() ? "" : " " + setting.text);
+    }
+
+    double expectedSeconds(const TradeSetting& setting) const {
+        return trade_.points.empty() ? 0.0 : setting.cost * trade_.points.front().seconds;
+    }
+
+    /// The finest setting of every axis that refines.
+    bool addReference() {
+        std::vector<TradeSetting> finest;
+        for (const TradeAxis& axis : axes_)
+            if (axis.refines && !axis.settings.empty() &&
+                (axis.ownSize == 0.0 || axis.settings.back().size < axis.ownSize))
+                finest.push_back(axis.settings.back());
+        if (finest.empty()) return true;
+        const std::size_t before = trade_.points.size();
+        if (!add(combined(referencePoint, finest))) return false;
+        if (trade_.points.size() > before && trade_.points.back().failure.empty())
+            trade_.reference = static_cast<int>(before);
+        return true;
+    }
+
+    bool addAxes() {
+        std::vector<const TradeSetting*> settings;
+        for (const TradeAxis& axis : axes_)
+            for (const TradeSetting& setting : axis.settings) settings.push_back(&setting);
+        return std::all_of(settings.begin(), settings.end(), [&](const TradeSetting* setting) { return add(*setting); });
+    }
+
+    /// For each error that may be allowed, the cheapest setting of each axis that changes the results by no more than
+    /// its share of it.
+    bool addCombinations() {
+        std::vector<std::string> made;
+        for (const double error : combinedErrors) {
+            std::vector<TradeSetting> cheap;
+            for (const TradeAxis& axis : axes_)
+                if (const TradeSetting* setting = cheapest(axis, error / static_cast<double>(axes_.size())))
+                    cheap.push_back(*setting);
+            const TradeSetting all = combined(combinationPoint, cheap);
+            if (cheap.size() < 2 || std::count(made.begin(), made.end(), all.text)) continue;
+            made.push_back(all.text);
+            if (!add(all)) return false;
+        }
+        return true;
+    }
+
+    /// True if a run took less time, by more than times vary from run to run, and not by chance: it did less work, solved
+    /// for fewer unknowns, or is on an axis that changes the time alone.
+    static bool isCheaper(const TradePoint& point, const TradePoint& own) {
+        const bool timeAlone = point.axis == sleepAxisName || point.axis == threadsAxisName;
+        const bool less = workOf(point.work) < sameWork * workOf(own.work) || point.unknowns < own.unknowns;
+        return point.seconds < sameTime * own.seconds && (less || timeAlone);
+    }
+
+    /// The fastest setting of an axis that changes no quantity of the scene's own settings by more than `error`; null
+    /// if none is cheaper than the scene's own.
+    const TradeSetting* cheapest(const TradeAxis& axis, double error) const {
+        const TradePoint& own = trade_.points.front();
+        const TradeSetting* best = nullptr;
+        double least = own.seconds;
+        for (const TradeSetting& setting : axis.settings) {
+            const auto point = std::find_if(trade_.points.begin(), trade_.points.end(), [&](const TradePoint& p) {
+                return p.axis == setting.axis && p.setting == setting.text;
+            });
+            if (point == trade_.points.end() || !isCheaper(*point, own) || point->seconds >= least) continue;
+            if (largestError(*point, own, trade_.quantities) > error) continue;
+            least = point->seconds;
+            best = &setting;
+        }
+        return best;
+    }
+
+    const Scene& scene_;
+    const TradeSettings& settings_;
+    Trade& trade_;
+    std::vector<TradeAxis> axes_;
+    std::size_t planned_ = 0, done_ = 0;
+    double spent_ = 0.0;  // [s] in all runs so far
+    double cost_ = 2.0 + combinedErrors.size();  // of all runs, in runs with the scene's own settings
+};
+
+}  // namespace
+
+bool measureTrade(const Scene& scene, const TradeSettings& settings, Trade& trade) {
+    trade.interrupted = !Measuring(scene, settings, trade).all();
+    return !trade.interrupted;
+}
+
+}  // namespace keyblock

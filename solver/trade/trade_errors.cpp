@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/trade/trade_errors.h"
+
+#include "solver/scene/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double noEffect = 1e-6;  // change over the value: smaller ones do not show how a quantity converges
+constexpr double leastError = 1e-6;  // smaller errors are equal on the front
+constexpr double sameRatio = 0.05;  // relative difference of the ratios of three sizes
+constexpr std::size_t mostCompared = 2000;  // events of an order; the comparison takes the square of that
+
+bool isItselfAnError(const std::string& quantity) { return quantity == "energy_error"; }
+
+/// Length of the longest common subsequence.
+std::size_t commonLength(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    std::vector<std::size_t> row(b.size() + 1, 0);
+    for (const std::string& item : a) {
+        std::size_t diagonal = 0;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t above = row[j + 1];
+            row[j + 1] = item == b[j] ? diagonal + 1 : std::max(above, row[j]);
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+
+double orderError(std::vector<std::string> a, std::vector<std::string> b) {
+    a.resize(std::min(a.size(), mostCompared));
+    b.resize(std::min(b.size(), mostCompared));
+    const std::size_t longest = std::max(a.size(), b.size());
+    return longest == 0 ? 0.0 : 1.0 - static_cast<double>(commonLength(a, b)) / static_cast<double>(longest);
+}
+
+struct SizedPoint {
+    double size = 0.0;
+    const TradePoint* point = nullptr;
+};
+
+/// The points of an axis with sizes, and the scene's own settings if their size on it is known, from fine to coarse.
+std::vector<SizedPoint> pointsAlong(const Trade& trade, const std::string& axis) {
+    std::vector<SizedPoint> points;
+    for (const TradePoint& point : trade.points)
+        if (point.axis == axis && point.size > 0.0 && point.failure.empty()) points.push_back({point.size, &point});
+    if (const auto own = trade.ownSizes.find(axis); own != trade.ownSizes.end())
+        points.push_back({own->second, &trade.points.front()});
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.size < b.size; });
+    return points;
+}
+
+std::string percent(double share) {
+    return (share > 0.0 ? "+" : share < 0.0 ? "−" : "") + rounded(100.0 * std::abs(share)) + " %";
+}
+
+/// The deviation of a number with its sign.
+double signedError(double value, double reference) {
+    return reference == 0.0 ? value : (value - reference) / std::abs(reference);
+}
+
+}  // namespace
+
+std::optional<double> errorOf(const TradePoint& point, const TradePoint& reference,
+                              const std::vector<std::string>& quantities, std::size_t q) {
+    if (isItselfAnError(quantities[q])) return std::nullopt;
+    const Measurement &here = point.values[q], &there = reference.values[q];
+    if (!here.order.empty() || !there.order.empty()) return orderError(here.order, there.order);
+    if (!here.value && !there.value) return 0.0;
+    if (!here.value || !there.value) return std::nullopt;
+    return std::abs(signedError(*here.value, *there.value));
+}
+
+double largestError(const TradePoint& point, const TradePoint& reference, const std::vector<std::string>& quantities) {
+    if (!point.failure.empty()) return infinite;
+    double largest = 0.0;
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+        if (!isItselfAnError(quantities[q]))
+            largest = std::max(largest, errorOf(point, reference, quantities, q).value_or(infinite));
+    return largest;
+}
+
+ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, std::size_t q) {
+    const std::vector<SizedPoint> points = pointsAlong(trade, axis);
+    if (points.size() < 3) return {};
+    std::array<double, 3> values{}, sizes{};  // from fine to coarse
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::optional<double>& value = points[k].point->values[q].value;
+        if (!value) return {};
+        values[k] = *value;
+        sizes[k] = points[k].size;
+    }
+    const double fine = values[0] - values[1], coarse = values[1] - values[2];
+    const double scale = std::max(std::abs(values[0]), std::abs(values[2]));
+    if (std::max(std::abs(fine), std::abs(coarse)) <= noEffect * scale) return {ConvergenceOrder::Kind::NoEffect};
+    const double ratio = sizes[1] / sizes[0];
+    const bool even = std::abs(sizes[2] / sizes[1] - ratio) <= sameRatio * ratio;
+    const bool shrinks = fine * coarse > 0.0 && std::abs(fine) < std::abs(coarse);
+    if (!even || !shrinks) return {ConvergenceOrder::Kind::Irregular};
+    const double order = std::log(coarse / fine) / std::log(ratio);
+    return {ConvergenceOrder::Kind::Regular, order, values[0] + fine / (std::pow(ratio, order) - 1.0)};
+}
+
+bool isOnFront(const Trade& trade, std::size_t point) {
+    const TradePoint& reference = trade.points[trade.reference];
+    const double error = largestError(trade.points[point], reference, trade.quantities);
+    if (std::isinf(error)) return false;
+    return std::none_of(trade.points.begin(), trade.points.end(), [&](const TradePoint& other) {
+        const double itsError = largestError(other, reference, trade.quantities);
+        return itsError <= std::max(error, leastError) && other.seconds < trade.points[point].seconds;
+    });
+}
+
+int recommendedPoint(const Trade& trade, double most) {
+    int best = -1;
+    for (std::size_t i = 0; i < trade.points.size(); ++i) {
+        const bool good = largestError(trade.points[i], trade.points[trade.reference], trade.quantities) <= most;
+        if (good && (best < 0 || trade.points[i].seconds < trade.points[best].seconds)) best = static_cast<int>(i);
+    }
+    return best;
+}
+
+std::string nameOf(const TradePoint& point) {
+    if (point.axis == ownPoint) return point.axis;
+    if (point.axis == combinationPoint) return point.setting;
+    return point.axis + (point.axis == referencePoint ? ": " : " ") + point.setting;
+}
+
+std::string sentenceOn(const Trade& trade, std::size_t index) {
+    const TradePoint &point = trade.points[index], &own = trade.points.front(), &reference = trade.points[trade.reference];
+    std::string text = nameOf(point) + ": ";
+    if (index != 0) {
+        const double faster = own.seconds / point.seconds;
+        text += faster >= 1.0 ? rounded(faster) + " × faster than the scene's own settings"
+                              : rounded(1.0 / faster) + " × slower than the scene's own settings";
+    } else {
+        text += rounded(point.seconds) + " s";
+    }
+    for (std::size_t q = 0; q < trade.quantities.size(); ++q) {
+        const auto error = errorOf(point, reference, trade.quantities, q);
+        if (!error) continue;
+        const Measurement &here = point.values[q], &there = reference.values[q];
+        if (!here.order.empty() || !there.order.empty()) {
+            const std::string kind = trade.quantities[q].substr(std::string("order ").size());
+            text += *error == 0.0 ? ", same order of " + kind
+                                  : ", " + rounded(100.0 * *error) + " % of the " + kind + " events in another order";
+        } else if (here.value && *error > 0.0) {
+            text += ", " + trade.quantities[q] + " " +
+                    (*there.value == 0.0 ? rounded(*here.value) + " instead of 0" : percent(signedError(*here.value, *there.value)));
+        }
+    }
+    return text;
+}
+
+}  // namespace keyblock

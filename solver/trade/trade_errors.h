@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far the points of a trade are from its reference, how regularly they approach it,
+// and which of them are worth their time.
+#pragma once
+
+#include "solver/trade/trade.h"
+
+namespace keyblock {
+
+/// Error of quantity q at a point against the reference: relative to the reference, or absolute if that is 0; for an
+/// order of events, the share of events that are missing or out of order. None for the energy balance error, which is
+/// an error itself, and if only one of the two has a value. 0 if neither has one.
+std::optional<double> errorOf(const TradePoint& point, const TradePoint& reference,
+                              const std::vector<std::string>& quantities, std::size_t q);
+
+/// Largest error over all quantities. Infinite if a run failed or a quantity has a value at only one of the two points.
+double largestError(const TradePoint& point, const TradePoint& reference, const std::vector<std::string>& quantities);
+
+/// How a quantity converges along an axis.
+struct ConvergenceOrder {
+    enum class Kind { Regular, NoEffect, Irregular, Unknown };
+    Kind kind = Kind::Unknown;  // unknown: fewer than three settings with sizes, or no number
+    double order = 0.0;  // of the size, if regular
+    double limit = 0.0;  // value extrapolated to size 0 (Richardson 1911), if regular
+};
+
+/// Convergence of quantity q along an axis, from its three finest settings.
+ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, std::size_t q);
+
+/// Whether no other point is both faster and closer to the reference.
+bool isOnFront(const Trade& trade, std::size_t point);
+
+/// The fastest point with an error of at most `most`; −1 if there is none.
+int recommendedPoint(const Trade& trade, double most);
+
+/// One sentence on a point, to quote: how much faster than the scene's own settings, and the largest errors.
+std::string sentenceOn(const Trade& trade, std::size_t point);
+
+/// What the point is called in tables, e.g. "divisions 60".
+std::string nameOf(const TradePoint& point);
+
+}  // namespace keyblock

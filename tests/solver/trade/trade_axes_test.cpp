@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene is traded along the settings that it uses, and along no others.
+#include "solver/trade/trade_axes.h"
+
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<TradeAxis>& axes) {
+    std::vector<std::string> names;
+    for (const TradeAxis& axis : axes) names.push_back(axis.name);
+    return names;
+}
+
+const TradeAxis& axisNamed(const std::vector<TradeAxis>& axes, const std::string& name) {
+    return *std::find_if(axes.begin(), axes.end(), [&](const TradeAxis& axis) { return axis.name == name; });
+}
+
+TEST(TradeAxes, AreThoseThatTheSceneUses) {
+    EXPECT_EQ(namesOf(tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 2})),
+              (std::vector<std::string>{"time_step", "penalty_ratio", "contact", "tolerance", "integration",
+                                        "sleep_tolerance", "threads"}));
+    Scene still = inclineScene(30.0, 40.0, 0.1);
+    still.stages.front() = {};
+    still.bolts.resize(1);
+    EXPECT_EQ(namesOf(tradeAxes(still, {12, 1, 30, 1})),
+              (std::vector<std::string>{"divisions", "increments", "penalty_ratio", "contact", "tolerance"}));
+}
+
+TEST(TradeAxes, ChangeTheSceneAsTheirTextsSay) {
+    Scene scene = inclineScene(30.0, 20.0, 0.1);
+    scene.bolts.resize(2);
+    const std::vector<TradeAxis> axes = tradeAxes(scene, {12, 2, 60, 1});
+    const TradeSetting& divisions = axisNamed(axes, "divisions").settings.front();
+    EXPECT_EQ(divisions.overrides, (std::vector<std::string>{"bolts[0].divisions=15", "bolts[1].divisions=15"}));
+    const TradeSetting& step = axisNamed(axes, "time_step").settings.back();
+    EXPECT_EQ(step.overrides, (std::vector<std::string>{"stages[0].time_step=0.00025"}));
+    EXPECT_EQ(step.cost, 4.0);
+    Scene changed = scene;
+    combined("both", {divisions, step}).apply(changed);
+    EXPECT_EQ(changed.bolts[1].divisions, 15);
+    EXPECT_EQ(changed.stages.front().timeStep, 0.00025);
+    changed.bolts = scene.bolts;
+    changed.stages.front().timeStep = scene.stages.front().timeStep;
+    EXPECT_EQ(changed, scene);
+}
+
+TEST(TradeAxes, LeaveOutTheOwnValue) {
+    const std::vector<TradeAxis> axes = tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 1});
+    for (const TradeSetting& setting : axisNamed(axes, "integration").settings) EXPECT_NE(setting.text, "shi");
+    const TradeAxis& tolerance = axisNamed(axes, "tolerance");
+    EXPECT_EQ(tolerance.ownSize, inclineScene(30.0, 20.0, 0.1).analysis.tolerance);
+    for (const TradeSetting& setting : tolerance.settings) EXPECT_NE(setting.size, tolerance.ownSize);
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Errors, orders and the front of trades whose numbers are given, so that each can be
+// worked out by hand.
+#include "solver/trade/trade_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+TradePoint point(const std::string& axis, double size, double seconds, double value) {
+    TradePoint result;
+    result.axis = axis;
+    result.setting = std::to_string(size);
+    result.size = size;
+    result.seconds = seconds;
+    result.values = {{value, "", {}}};
+    return result;
+}
+
+/// A quantity of 10 with an error of the square of the size, and the scene's own settings at size 1.
+Trade squareTrade() {
+    Trade trade;
+    trade.quantities = {"last crown.u"};
+    trade.points = {point(ownPoint, 0.0, 4.0, 11.0), point(referencePoint, 0.0, 50.0, 10.0),
+                    point("time_step", 2.0, 2.0, 14.0), point("time_step", 0.5, 8.0, 10.25)};
+    trade.reference = 1;
+    trade.ownSizes["time_step"] = 1.0;
+    return trade;
+}
+
+TEST(TradeErrors, AreRelativeToTheReference) {
+    const Trade trade = squareTrade();
+    EXPECT_DOUBLE_EQ(errorOf(trade.points[0], trade.points[1], trade.quantities, 0).value(), 0.1);
+    EXPECT_DOUBLE_EQ(largestError(trade.points[2], trade.points[1], trade.quantities), 0.4);
+    const TradePoint zero = point(ownPoint, 0.0, 1.0, 0.0), other = point(ownPoint, 0.0, 1.0, 0.02);
+    EXPECT_DOUBLE_EQ(errorOf(other, zero, trade.quantities, 0).value(), 0.02);
+}
+
+TEST(TradeErrors, AreInfiniteWhereARunHasNoResult) {
+    Trade trade = squareTrade();
+    trade.points[2].values[0].value.reset();
+    EXPECT_TRUE(std::isinf(largestError(trade.points[2], trade.points[1], trade.quantities)));
+    trade.points[3].failure = "stage 'a' ended as failed";
+    EXPECT_TRUE(std::isinf(largestError(trade.points[3], trade.points[1], trade.quantities)));
+    EXPECT_FALSE(isOnFront(trade, 3));
+}
+
+TEST(TradeErrors, CountEventsInAnotherOrder) {
+    TradePoint a = point(ownPoint, 0.0, 1.0, 0.0), b = a;
+    a.values = {{std::nullopt, "", {"R1", "R2", "R3", "R4"}}};
+    b.values = {{std::nullopt, "", {"R2", "R1", "R3", "R4"}}};
+    EXPECT_DOUBLE_EQ(errorOf(a, b, {"order debonding"}, 0).value(), 0.25);
+    EXPECT_DOUBLE_EQ(errorOf(a, a, {"order debonding"}, 0).value(), 0.0);
+    b.values = {{std::nullopt, "no debonding happened", {}}};
+    EXPECT_DOUBLE_EQ(errorOf(a, b, {"order debonding"}, 0).value(), 1.0);
+}
+
+TEST(TradeErrors, DoNotIncludeTheEnergyError) {
+    const TradePoint a = point(ownPoint, 0.0, 1.0, 1e-5), b = point(ownPoint, 0.0, 1.0, 1e-3);
+    EXPECT_FALSE(errorOf(a, b, {"energy_error"}, 0));
+    EXPECT_EQ(largestError(a, b, {"energy_error"}), 0.0);
+}
+
+TEST(ConvergenceOrder, OfAnErrorThatFallsWithTheSquareIsTwo) {
+    const ConvergenceOrder order = convergenceOrder(squareTrade(), "time_step", 0);
+    ASSERT_EQ(order.kind, ConvergenceOrder::Kind::Regular);
+    EXPECT_NEAR(order.order, 2.0, 1e-12);
+    EXPECT_NEAR(order.limit, 10.0, 1e-12);
+}
+
+TEST(ConvergenceOrder, IsNotGivenWhereValuesGoBackAndForth) {
+    Trade trade = squareTrade();
+    trade.points[3].values[0].value = 11.5;
+    EXPECT_EQ(convergenceOrder(trade, "time_step", 0).kind, ConvergenceOrder::Kind::Irregular);
+    for (TradePoint& p : trade.points) p.values[0].value = 10.0;
+    EXPECT_EQ(convergenceOrder(trade, "time_step", 0).kind, ConvergenceOrder::Kind::NoEffect);
+    EXPECT_EQ(convergenceOrder(trade, "penalty_ratio", 0).kind, ConvergenceOrder::Kind::Unknown);
+}
+
+TEST(TradeFront, HasThePointsThatNoOtherBeats) {
+    Trade trade = squareTrade();
+    trade.points.push_back(point("tolerance", 1e-3, 5.0, 12.0));  // slower and farther off than the scene's own settings
+    EXPECT_TRUE(isOnFront(trade, 0));
+    EXPECT_TRUE(isOnFront(trade, 2));
+    EXPECT_TRUE(isOnFront(trade, 3));
+    EXPECT_FALSE(isOnFront(trade, 4));
+}
+
+TEST(TradeFront, RecommendsTheFastestThatIsCloseEnough) {
+    const Trade trade = squareTrade();
+    EXPECT_EQ(recommendedPoint(trade, 0.03), 3);
+    EXPECT_EQ(recommendedPoint(trade, 0.1), 0);
+    EXPECT_EQ(recommendedPoint(trade, 0.5), 2);
+    EXPECT_EQ(sentenceOn(trade, 2), "time_step 2.000000: 2 × faster than the scene's own settings, last crown.u +40 %");
+}
+
+}  // namespace
+}  // namespace keyblock

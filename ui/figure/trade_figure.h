@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chart of accuracy against time: one dot for each run, both axes logarithmic, with the
+// front of those runs that no other run beats in both.
+#pragma once
+
+#include "ui/figure/figure.h"
+
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+/// One run in the chart.
+struct TradeDot {
+    double seconds = 0.0;
+    double error = 0.0;  // a share, as in 0.03; 0: drawn at the lower edge
+    std::string axis, name;  // dots of one axis have one colour; the name is written beside dots of the front
+    bool onFront = false;
+};
+
+struct TradeChart {
+    std::string title, subtitle, foot;
+    std::vector<TradeDot> dots;
+};
+
+/// Draws the chart on a sheet of this width [mm]. \return the contents of the file.
+/// \throws CannotDraw if no dot has a finite error.
+std::string paintTrade(const TradeChart& chart, PaperFormat format, double width = 160.0);
+
+}  // namespace keyblock
