@@ -8,12 +8,14 @@
 #include "app/cli/progress.h"
 #include "app/cli/summary_text.h"
 #include "app/cli/stop_signals.h"
+#include "solver/files/read_error.h"
 #include "solver/files/run_store/resumption.h"
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/run_store/run_store_writer.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/results/verdict.h"
 #include "solver/results/result_names.h"
+#include "solver/run/checkpoint_check.h"
 #include "solver/run/run.h"
 
 #include <algorithm>
@@ -83,8 +85,8 @@ std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read
     control.progress = [&](const Progress& progress) { sink.update(progress); };
     const StopSignals signals(control.stop);
     const Checkpoint* start = from ? &*from : nullptr;
-    const std::vector<StageResult> results = 
-        keyblock::run(scene, sink, control, {options.threads, read.cut ? &*read.cut : nullptr}, start);
+    const std::vector<StageResult> results = keyblock::run(scene, sink, control,
+                                                           {options.threads, read.cut ? &*read.cut : nullptr}, start);
     store.close();
     stageSeconds = sink.stageSeconds();
     return results;
@@ -103,7 +105,11 @@ ExitCode perform(const RunOptions& options) {
     std::vector<StageResult> results;
     if (!resumption.finished) {
         RunStoreWriter store(out, options.overwrite || options.resume);
-        results = runInto(store, *read, options, resumption.checkpoint, stageSeconds);
+        try {
+            results = runInto(store, *read, options, resumption.checkpoint, stageSeconds);
+        } catch (const UnfitCheckpoint& error) {
+            throw CannotRead("cannot resume " + out.string() + ": " + error.what() + " with --overwrite");
+        }
     }
     const RunStore run(out);
     print(summaryOf(run, stageSeconds) + "\nresults in " + out.string() + "\n");

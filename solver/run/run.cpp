@@ -23,6 +23,7 @@
 #include "solver/run/block_extremes.h"
 #include "solver/run/bolt_extremes.h"
 #include "solver/run/checkpoint.h"
+#include "solver/run/checkpoint_check.h"
 #include "solver/run/event_frames.h"
 #include "solver/run/frame_forces.h"
 #include "solver/run/run_limit.h"
@@ -100,11 +101,18 @@ private:
     double duration() const { return isStatic() ? 1.0 : stage().duration; }
 
     void goOn(const Checkpoint& from) {
+        if (const auto misfit = misfitOf(from, model_, scene_)) refuse(*misfit);
         now_ = from;
         engine_.health = now_.health;
         model_.joints = jointModels(scene_, now_.begun ? now_.stage : now_.stage - 1);
-        sink_.resume(document_, historyColumns(scene_), from);
         if (now_.begun) enterStage();
+        if (now_.begun && stageOver()) refuse("increment");
+        sink_.resume(document_, historyColumns(scene_), from);
+    }
+
+    [[noreturn]] static void refuse(const std::string& misfit) {
+        throw UnfitCheckpoint("the checkpoint is damaged: it does not fit its scene (" + misfit +
+                              "); run the scene again from the start");
     }
 
     bool checkpointDue() const {
@@ -288,7 +296,7 @@ private:
     }
 
     bool stageOver() const {
-        return isStatic() ? now_.increment == static_cast<int>(times_.size()) : now_.time >= stage().duration;
+        return isStatic() ? now_.increment >= static_cast<int>(times_.size()) : now_.time >= stage().duration;
     }
 
     /// Loads at the start and the end of the increment.

@@ -51,6 +51,7 @@ struct RunSettings {
 /// \param from the checkpoint to resume from, which a run of the same scene and build has passed to its sink; null:
 ///        start from the beginning.
 /// \pre `checkScene(scene)` found no error.
+/// \throws UnfitCheckpoint (checkpoint_check.h) if `from` does not fit the scene.
 /// \return one result for each stage that began. No stage is run after a stage with the outcome `Failed` (numerical
 ///         failure), `Undecided`, `Stopped` or `Limit`; for a stage that became unstable, see `stageAfter`.
 std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {},

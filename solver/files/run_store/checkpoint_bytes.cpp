@@ -8,6 +8,13 @@
 
 namespace keyblock {
 
+template <>
+inline constexpr int enumeratorCount<LimitKind> = static_cast<int>(LimitKind::PeakFriction) + 1;
+template <>
+inline constexpr int enumeratorCount<Outcome> = static_cast<int>(Outcome::Undecided) + 1;
+template <>
+inline constexpr int enumeratorCount<Movement> = static_cast<int>(Movement::Follows) + 1;
+
 std::string bytesOf(const Checkpoint& checkpoint) {
     ValueWriter writer;
     writer.put(checkpoint);

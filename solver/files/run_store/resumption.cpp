@@ -28,6 +28,13 @@ bool isEmptyOrMissing(const fs::path& path) {
     return !fs::exists(status) || (fs::is_regular_file(status) && fs::file_size(path, error) == 0);
 }
 
+/// Whether the store has the results that had been written at the checkpoint.
+bool isWithin(const Written& written, const RunStore& store) {
+    const auto within = [](long count, std::size_t stored) { return count >= 0 && count <= static_cast<long>(stored); };
+    return within(written.frames, store.frames().size()) && within(written.events, store.events().size()) &&
+           within(written.historyRows, store.history().size());
+}
+
 }  // namespace
 
 Resumption resumptionOf(const fs::path& path, const Scene& scene) {
@@ -47,7 +54,7 @@ Resumption resumptionOf(const fs::path& path, const Scene& scene) {
     if (stored->hash != sha256(stored->state))
         cannotResume(path, "its checkpoint is damaged");
     resumption.checkpoint = checkpointOf(stored->state);
-    if (!resumption.checkpoint)
+    if (!resumption.checkpoint || !isWithin(resumption.checkpoint->written, store))
         cannotResume(path, "its checkpoint is damaged");
     return resumption;
 }

@@ -6,9 +6,7 @@
 // which there is no rule here do not compile.
 #pragma once
 
-#include "solver/files/run_store/members.h"
-
-#include <Eigen/Core>
+#include "solver/run/members.h"
 
 #include <array>
 #include <cstdint>
@@ -24,11 +22,9 @@
 
 namespace keyblock {
 
-template <typename T>
-concept PlainNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
-
-template <typename T>
-concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime > 0;
+/// Number of enumerators of an enumeration that counts from 0. An enumeration without it cannot be read.
+template <typename E>
+inline constexpr int enumeratorCount = -1;
 
 /// Appends values to a string of bytes.
 class ValueWriter {
@@ -74,15 +70,28 @@ private:
     std::string bytes_;
 };
 
-/// Reads values from bytes in the order in which they were written. If the bytes end too early, `whole()` returns
-/// false.
+/// Reads values from bytes in the order in which they were written. If the bytes end too early, or if one of them is not
+/// a value of its type, `whole()` returns false. Containers grow while their values are read, so that a wrong count takes
+/// no more memory than the bytes that follow it.
 class ValueReader {
 public:
     explicit ValueReader(std::string_view bytes) : left_(bytes) {}
 
-    void get(PlainNumber auto& number) { take(&number, sizeof number); }
+    void get(Arithmetic auto& number) { take(&number, sizeof number); }
+    void get(bool& flag) { flag = code(2) == 1; }
+    void get(Enumeration auto& value) {
+        using E = std::remove_reference_t<decltype(value)>;
+        static_assert(enumeratorCount<E> > 0, "state how many enumerators it has");
+        value = static_cast<E>(code<std::underlying_type_t<E>>(enumeratorCount<E>));
+    }
     void get(FixedMatrix auto& matrix) { take(matrix.data(), sizeof(double) * matrix.size()); }
-    void get(std::string& text) { getAll(text); }
+    void get(std::string& text) {
+        std::uint64_t size = 0;
+        get(size);
+        good_ = good_ && size <= left_.size();
+        text = left_.substr(0, good_ ? size : 0);
+        left_.remove_prefix(text.size());
+    }
     template <typename T>
     void get(std::vector<T>& values) { getAll(values); }
     template <typename T>
@@ -129,13 +138,19 @@ private:
         std::memcpy(to, left_.data(), size);
         left_.remove_prefix(size);
     }
+    /// Reads a number from 0 up to, but not including, `end`; 0 if it is another one.
+    template <typename N = unsigned char>
+    N code(int end) {
+        N number = 0;
+        take(&number, sizeof number);
+        good_ = good_ && number >= 0 && number < end;
+        return good_ ? number : N{0};
+    }
     void getAll(auto& values) {
         std::uint64_t size = 0;
         get(size);
-        good_ = good_ && size <= left_.size();  // every value takes at least one byte
         values.clear();
-        if (good_) values.resize(size);
-        for (auto& value : values) get(value);
+        for (std::uint64_t i = 0; i < size && good_; ++i) get(values.emplace_back());
     }
 
     std::string_view left_;

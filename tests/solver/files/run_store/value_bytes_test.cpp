@@ -17,6 +17,13 @@ namespace {
 
 enum class Colour { Red, Green };
 
+}  // namespace
+
+template <>
+inline constexpr int enumeratorCount<Colour> = 2;
+
+namespace {
+
 struct Inner {
     double x = 0.0;
     std::optional<int> n;
@@ -43,8 +50,9 @@ static_assert(std::is_same_v<decltype(membersOf(std::declval<const Inner&>())),
 /// Gives every number below a value a count of its own, and every container two entries.
 class Filler {
 public:
-    void fill(PlainNumber auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(++count_); }
+    void fill(Arithmetic auto& number) { number = static_cast<std::remove_reference_t<decltype(number)>>(++count_); }
     void fill(bool& flag) { flag = ++count_ > 0; }
+    void fill(Enumeration auto& value) { value = static_cast<std::remove_reference_t<decltype(value)>>(++count_ % 2); }
     void fill(char& letter) { letter = static_cast<char>(++count_ % 100); }
     void fill(FixedMatrix auto& matrix) {
         for (double* value = matrix.data(); value != matrix.data() + matrix.size(); ++value) fill(*value);
@@ -151,6 +159,35 @@ TEST(ValueBytes, TooFewOrTooManyAreRefused) {
     ValueReader reader(huge);
     reader.get(values);
     EXPECT_FALSE(reader.whole());
+}
+
+template <typename T>
+bool isRead(const std::string& bytes) {
+    T value{};
+    ValueReader reader(bytes);
+    reader.get(value);
+    return reader.whole();
+}
+
+TEST(ValueBytes, FlagsAndEnumeratorsOutOfRangeAreRefused) {
+    EXPECT_TRUE(isRead<bool>(std::string(1, '\1')));
+    EXPECT_FALSE(isRead<bool>(std::string(1, '\2')));
+    EXPECT_FALSE(isRead<std::optional<double>>(std::string("\3", 1) + std::string(8, '\0')));
+    EXPECT_TRUE(isRead<Colour>(std::string("\1\0\0\0", 4)));
+    EXPECT_FALSE(isRead<Colour>(std::string("\2\0\0\0", 4)));
+    EXPECT_FALSE(isRead<Colour>(std::string(4, '\xFF')));
+}
+
+/// A count of values that are not there takes no memory for them.
+TEST(ValueBytes, AListGrowsAsItsValuesAreRead) {
+    std::string bytes(8 + 100, '\0');
+    const std::uint64_t many = 100;  // as many as there are bytes; each value takes hundreds of bytes
+    std::memcpy(bytes.data(), &many, sizeof many);
+    std::vector<std::array<double, 50>> values;
+    ValueReader reader(bytes);
+    reader.get(values);
+    EXPECT_FALSE(reader.whole());
+    EXPECT_LE(values.size(), 2u);
 }
 
 TEST(ValueBytes, TheBuildHasAName) {

@@ -2,15 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Access to the members of a plain struct without listing them: the compiler counts
-// and binds them. A member added anywhere in the state of a run is therefore written
-// and read with the others and cannot be forgotten.
+// and binds them. A member added anywhere in the state of a run is therefore written,
+// read and checked with the others and cannot be forgotten.
 #pragma once
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
 
 namespace keyblock {
+
+template <typename T>
+concept Arithmetic = std::is_arithmetic_v<T>;
+
+template <typename T>
+concept Enumeration = std::is_enum_v<T>;
+
+template <typename T>
+concept PlainNumber = Arithmetic<T> || Enumeration<T>;
+
+template <typename T>
+concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime != Eigen::Dynamic;
 
 namespace members_detail {
 
