@@ -26,6 +26,7 @@ namespace {
 constexpr std::size_t mostNotes = 3;  // notes on other changes that are shown after an edit
 
 QByteArray contentOf(const QString& path) {
+    if (!QFileInfo(path).isFile()) return {};  // opening a named pipe would wait for its writer
     QFile file(path);
     return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && file.size() <= qint64(longestJson)
                ? file.readAll()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/scene/record_file.h"
 
+#include "solver/files/regular_file.h"
 #include "solver/scene/suggest.h"
 
 #include <cerrno>
@@ -166,9 +167,8 @@ RecordReading unreadable(std::string message, std::string remedy) {
 RecordReading readRecordText(std::string_view text) { return RecordReader().read(text); }
 
 RecordReading readRecordFile(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        return unreadable("this is a folder, not a file", "Give a CSV file");
+    if (const std::string special = specialFileAt(path); !special.empty())
+        return unreadable("this is " + special + ", not a file", "Give a CSV file");
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file)

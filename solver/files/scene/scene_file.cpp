@@ -13,6 +13,7 @@
 #include "solver/files/json/field_json.h"
 #include "solver/files/json/json_tree.h"
 #include "solver/files/json/object_reader.h"
+#include "solver/files/regular_file.h"
 #include "solver/files/scene/overrides.h"
 #include "solver/files/scene/record_file.h"
 #include "solver/files/scene/scene_from_tree.h"
@@ -67,11 +68,17 @@ Scene readScene(const JsonNode& root, Problems& unread, Problems& lost) {
     return scene;
 }
 
+RecordReading recordOf(const std::string& file, const RecordFolder& folder) {
+    if (!folder)
+        return {{}, {{"a run store contains its records, and no other file is read for it", "Run the scene again"}}};
+    return readRecordFile(*folder / file);
+}
+
 void readRecord(Acceleration& acceleration, const std::string& pointer, const JsonNode& root,
-                const std::filesystem::path& folder, Problems& problems) {
+                const RecordFolder& folder, Problems& problems) {
     if (acceleration.file.empty() || !acceleration.record.empty())
         return;
-    RecordReading reading = readRecordFile(folder / acceleration.file);
+    RecordReading reading = recordOf(acceleration.file, folder);
     acceleration.record = std::move(reading.record);
     const std::string place = under(pointer, "file");
     for (RecordReading::Fault& fault : reading.faults)
@@ -80,7 +87,7 @@ void readRecord(Acceleration& acceleration, const std::string& pointer, const Js
 }
 
 // Reads the files named in the scene into the scene, so that later steps do not depend on files.
-void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path& folder, Problems& problems) {
+void readRecords(Scene& scene, const JsonNode& root, const RecordFolder& folder, Problems& problems) {
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {
         Stage& stage = scene.stages[i];
         const std::string pointer = under("/stages", i);
@@ -165,7 +172,7 @@ SceneReading unreadable(const std::string& name, std::string message, std::strin
 
 }  // namespace
 
-Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
+Scene sceneOfTree(const JsonNode& root, const RecordFolder& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost) {
     Scene scene = readScene(root, unread, lost);
     readRecords(scene, root, folder, lost);
@@ -189,7 +196,7 @@ const Field* sceneFieldAt(const std::string& pointer) {
 }
 
 SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides,
-                           const std::filesystem::path& folder) {
+                           const RecordFolder& folder) {
     JsonReading json = readJson(text);
     Problems problems = std::move(json.problems);
     if (!json.root)
@@ -210,9 +217,8 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
 
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides) {
     const std::string name = path.string();
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        return unreadable(name, "this is a folder, not a scene file", "Give a scene file");
+    if (const std::string special = specialFileAt(path); !special.empty())
+        return unreadable(name, "this is " + special + ", not a scene file", "Give a scene file");
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file)

@@ -24,6 +24,10 @@ struct SceneReading {
     std::vector<Problem> problems;  // sorted by line, including warnings and notes
 };
 
+/// Folder to which paths of record files are relative; empty: the current folder. None: no files are read, and a scene
+/// that names one is refused.
+using RecordFolder = std::optional<std::filesystem::path>;
+
 /// Reads and checks a scene file. If the file cannot be opened, this is reported as a problem.
 /// \param overrides strings of the form `path=value`, applied before the scene is read and checked. The path is written
 ///        as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer. The value is JSON or, if it is not
@@ -33,9 +37,9 @@ SceneReading readSceneFile(const std::filesystem::path& path, std::span<const st
 /// Reads and checks a scene given as text.
 /// \param name the file name for messages.
 /// \param overrides as in `readSceneFile`.
-/// \param folder the folder to which paths of record files are relative; empty: the current folder.
-SceneReading readSceneText(std::string_view text, const std::string& name,
-                           std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});
+/// \param folder the folder of record files; none for a scene that contains its records, as in a run store.
+SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides = {},
+                           const RecordFolder& folder = std::filesystem::path());
 
 /// The scene as JSON text with all required keys and all keys whose values differ from their defaults, in the order in
 /// which the format lists them. Numbers have as few digits as are needed to read them back exactly. Built-in bolt types
