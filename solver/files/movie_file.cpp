@@ -105,11 +105,7 @@ bool canWriteMovies() { return !findProgram("ffmpeg").empty(); }
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
     if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
-    try {
-        writeAtomically(part_, [](std::ostream&) {});  // reports an error at once, and more clearly than ffmpeg would
-    } catch (const CannotWrite& error) {
-        throw CannotWrite(named(error.what()));
-    }
+    makePartFile(path);  // reports an error at once, and more clearly than ffmpeg would later
     const std::string program = findProgram("ffmpeg");
     if (program.empty()) {
         fs::remove(part_);

@@ -27,6 +27,7 @@ PartFolder::PartFolder(const fs::path& folder, const std::function<bool(const st
     if (error) failFolder(folder, error);
     if (!target_.has_filename()) target_ = target_.parent_path();
     checkTarget(isOurs);
+    removeOldParts(target_);
     part_ = partPath(target_);
     fs::remove_all(part_, error);
     if (!fs::create_directory(part_, error)) failFolder(folder, error);
