@@ -8,6 +8,7 @@
 #include "app/cli/export_figure.h"
 #include "app/cli/output.h"
 #include "app/cli/output_files.h"
+#include "app/cli/store_warning.h"
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/vtk/vtk_export.h"
 #include "solver/files/atomic_file.h"
@@ -55,6 +56,7 @@ ExitCode exportVtk(const ExportOptions& options) {
         throw UsageError("--vtk writes the whole run into its folder; omit --table, --out and --bolt");
     refuseFigureOptions(options);
     const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
     writeVtkFolder(store, filterOf(options, store.scene()), *options.vtk);
     return Done;
 }
@@ -62,6 +64,7 @@ ExitCode exportVtk(const ExportOptions& options) {
 ExitCode exportFigure(const ExportOptions& options) {
     checkFigureOptions(options);
     const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
     return exportFigure(options, store, filterOf(options, store.scene()));
 }
 
@@ -70,6 +73,7 @@ ExitCode exportAnimation(const ExportOptions& options) {
     const OutputFile file{*options.animation};
     if (!mayBeWritten({&file, 1}, {&options.run, 1})) return Usage;
     const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
     return exportAnimation(options, store, filterOf(options, store.scene()));
 }
 
@@ -94,6 +98,7 @@ ExitCode perform(const ExportOptions& options) {
     const OutputFile file{options.out};
     if (!mayBeWritten({&file, 1}, {&options.run, 1})) return Usage;
     const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
     const TableFilter filter = filterOf(options, store.scene());
     writeAtomically(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });
     return Done;

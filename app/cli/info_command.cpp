@@ -6,12 +6,14 @@
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
+#include "app/cli/store_warning.h"
 #include "app/cli/summary_text.h"
 
 namespace keyblock::cli {
 
 ExitCode perform(const InfoOptions& options) {
     const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
     if (options.json)
         print(infoJson(store));
     else

@@ -3,7 +3,9 @@
 //
 // When a run may go on and when not, and that no way to end spoils a store: a
 // signal, a second one, a full disk, a second run.
+#include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/files/run_store/sqlite.h"
+#include "solver/files/sha256.h"
 #include "tests/cli/command_line_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -85,6 +87,34 @@ TEST_F(Resume, AnotherBuildOrADamagedCheckpointIsRefused) {
     expectRefused({}, 3, "damaged");
 }
 
+/// With the right hash, as someone would make it who wants the program to take it.
+TEST_F(Resume, ACheckpointThatDoesNotFitItsSceneIsRefused) {
+    putStoppedRun();
+    {
+        sqlite::Database database(folder() / "rest.kbrun", sqlite::Access::Write);
+        sqlite::Statement stored(database, "SELECT state FROM checkpoint");
+        ASSERT_TRUE(stored.next());
+        Checkpoint changed = checkpointOf(stored.bytes(0)).value();
+        ASSERT_FALSE(changed.state.contacts.empty());
+        changed.state.contacts[0].blockB = 1 << 30;
+        const std::string bytes = bytesOf(changed);
+        sqlite::Statement put(database, "UPDATE checkpoint SET state = ?, hash = ?");
+        put.bindBytes(bytes).bind(sha256(bytes)).run();
+    }
+    expectRefused({}, 3, "does not fit its scene (blockB)");
+}
+
+TEST_F(Resume, AStoreThatIsDeletedDuringItsRunIsThereAgain) {
+    putEndlessScene();
+    Program program({"run", "rest.json"}, folder());
+    ASSERT_TRUE(waitForFrames("rest.kbrun", 3));
+    std::filesystem::remove(folder() / "rest.kbrun");
+    const Ended ended = program.wait();  // the scene has no end of its own
+    EXPECT_EQ(ended.code, 6) << ended.err;
+    EXPECT_NE(ended.err.find("deleted, moved or replaced"), std::string::npos) << ended.err;
+    EXPECT_GE(framesIn("rest.kbrun"), 3u);
+}
+
 TEST_F(Resume, WhatIsNoRunStoreIsRefused) {
     putEndlessScene();
     put("rest.kbrun", "notes that somebody needs");
@@ -95,7 +125,7 @@ TEST_F(Resume, WithoutACheckpointItStartsAtTheBeginning) {
     putPullScene();
     ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);
     const std::string expected = table("pull.kbrun", "history");
-    runSql("pull.kbrun", "UPDATE stages SET outcome = NULL; DELETE FROM events");
+    runSql("pull.kbrun", "DELETE FROM stages; DELETE FROM frames; DELETE FROM events");
     ASSERT_EQ(keyblock({"run", "pull.json", "--resume"}).code, 0);
     EXPECT_EQ(table("pull.kbrun", "history"), expected);
     EXPECT_GT(lines(table("pull.kbrun", "events")).size(), 1u);

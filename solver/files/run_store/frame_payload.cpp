@@ -406,7 +406,7 @@ bool fits(Payload payload, const Scene& scene, std::span<const std::size_t> corn
         case Payload::Blocks: return frame.blocks.size() == blocks;
         case Payload::Corners:
             return std::ranges::equal(frame.blocks, corners, [](const BlockState& b, std::size_t count) {
-                return b.points.size() == (b.points.empty() && !(b.area > 0.0) ? 0 : count);
+                return b.points.size() == (b.points.empty() && b.area == 0.0 ? 0 : count);
             });
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
         case Payload::BoltExtremes: return frame.extremes.empty() || frame.extremes.size() == scene.bolts.size();

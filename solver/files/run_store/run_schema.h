@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The run store's tables. Writer and reader share this list and nothing else.
+// The run store's tables. Writer and reader share this list and nothing else. Each row
+// of a result has a checksum over the columns of its list below, in that order; a frame
+// has one for its numbers and one for its BLOBs, which are read later.
 #pragma once
 
 namespace keyblock::run_schema {
@@ -10,10 +12,10 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Version of the store; increases with every change that an older program would misread.
-inline constexpr int version = 10;
+inline constexpr int version = 11;
 
 inline constexpr const char* tables = R"(
-CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL, checksum INTEGER);
 CREATE TABLE columns (payload TEXT, position INTEGER, name TEXT, unit TEXT, meaning TEXT,
     PRIMARY KEY (payload, position));
 CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
@@ -22,20 +24,39 @@ CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     full_factorizations INTEGER, ranks INTEGER, solves INTEGER, products INTEGER, sweeps INTEGER,
     max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER,
     unstable BLOB, farthest BLOB, loose BLOB, worst_block INTEGER, worst_share REAL, worst_force REAL,
-    awake INTEGER, movable INTEGER);
+    awake INTEGER, movable INTEGER, events INTEGER, history_rows INTEGER, frames INTEGER, checksum INTEGER);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
-    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER);
-CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB);
+    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER,
+    checksum INTEGER);
+CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB,
+    checksum INTEGER);
 CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, events INTEGER,
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
-    external REAL, balance_error REAL,
+    external REAL, balance_error REAL, checksum INTEGER, payload_checksum INTEGER,
     blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB,
     weights BLOB, inertia BLOB, contact_forces BLOB, node_forces BLOB, other_forces BLOB,
     bolt_extremes BLOB, block_extremes BLOB);
 CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT NULL, hash TEXT NOT NULL,
     state BLOB NOT NULL);
 )";
+
+inline constexpr const char* aboutColumns = "key, value";
+inline constexpr const char* stageColumns =
+    "stage, name, kind, outcome, time, steps, message, blocks, passes, step_cuts, energy_cuts, factorizations, "
+    "full_factorizations, ranks, solves, products, sweeps, max_penetration_ratio, max_residual, balance_error, "
+    "health_steps, unstable, farthest, loose, worst_block, worst_share, worst_force, awake, movable, events, "
+    "history_rows, frames";
+inline constexpr const char* eventColumns =
+    "event, stage, time, step, kind, bolt, node, element, block, other_block, x, y, axial_force, shear_force, "
+    "anchor_force, slip, history_row, cause";
+inline constexpr const char* historyColumns = "row, stage, time, step, \"values\"";
+inline constexpr const char* headColumns =
+    "frame, stage, time, step, events, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, "
+    "balance_error";
+inline constexpr const char* payloadColumns =
+    "blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces, "
+    "bolt_extremes, block_extremes";
 
 /// Description of the store for authors of other programs that read it.
 inline constexpr const char* layout =
@@ -50,6 +71,7 @@ inline constexpr const char* layout =
     "frames.events counts the events up to a frame; frames just before and just after a failure may have the same "
     "time. A stage without an outcome never ended. Table checkpoint is internal: the state from which an unfinished "
     "run can be resumed, by the same build only. SI units; times are within the stage. Row key scene of table about is "
-    "the scene as JSON with its records inside, scene_hash its SHA-256.";
+    "the scene as JSON with its records inside, scene_hash its SHA-256. checksum guards the other columns of its row "
+    "(of a frame, those without BLOBs; payload_checksum those with BLOBs): a 64-bit FNV-1a hash.";
 
 }  // namespace keyblock::run_schema

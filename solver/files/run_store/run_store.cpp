@@ -17,6 +17,7 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace keyblock {
@@ -37,22 +38,22 @@ constexpr std::size_t anyNumber = 1000000000;
 
 Event eventAt(const sqlite::Statement& row, const Scene& scene, std::size_t blocks) {
     Event event;
-    event.stage = indexBelow(row.integer(0), 0, scene.stages.size());
-    event.time = row.real(1);
-    event.step = static_cast<long>(row.integer(2));
-    event.kind = known(eventKindOf(row.text(3)));
-    event.bolt = indexBelow(row.integer(4), -1, scene.bolts.size());
-    event.node = indexBelow(row.integer(5), -1, anyNumber);
-    event.element = indexBelow(row.integer(6), -1, anyNumber);
-    event.block = indexBelow(row.integer(7), -1, blocks);
-    event.otherBlock = indexBelow(row.integer(8), -1, blocks);
-    event.position = {row.real(9), row.real(10)};
-    event.axialForce = row.real(11);
-    event.shearForce = row.real(12);
-    event.anchorForce = row.real(13);
-    event.slip = row.real(14);
-    event.historyRow = indexBelow(row.integer(15), -1, anyNumber);
-    event.cause = indexBelow(row.integer(16), -1, anyNumber);
+    event.stage = indexBelow(row.integer(1), 0, scene.stages.size());
+    event.time = row.real(2);
+    event.step = static_cast<long>(row.integer(3));
+    event.kind = known(eventKindOf(row.text(4)));
+    event.bolt = indexBelow(row.integer(5), -1, scene.bolts.size());
+    event.node = indexBelow(row.integer(6), -1, anyNumber);
+    event.element = indexBelow(row.integer(7), -1, anyNumber);
+    event.block = indexBelow(row.integer(8), -1, blocks);
+    event.otherBlock = indexBelow(row.integer(9), -1, blocks);
+    event.position = {row.real(10), row.real(11)};
+    event.axialForce = row.real(12);
+    event.shearForce = row.real(13);
+    event.anchorForce = row.real(14);
+    event.slip = row.real(15);
+    event.historyRow = indexBelow(row.integer(16), -1, anyNumber);
+    event.cause = indexBelow(row.integer(17), -1, anyNumber);
     return event;
 }
 
@@ -66,40 +67,41 @@ std::vector<UnstableBlock> unstableBlocks(const std::vector<double>& values, std
     return unstable;
 }
 
+/// \param row a row of `run_schema::stageColumns`.
 StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_t blocks) {
     StageRecord record;
     record.result.stage = indexBelow(row.integer(0), 0, scene.stages.size());
-    record.ended = !row.isNull(1);
+    record.ended = !row.isNull(3);
     if (!record.ended)
         return record;
     StageResult& result = record.result;
-    result.outcome = known(outcomeOf(row.text(1)));
-    result.time = row.real(2);
-    result.steps = static_cast<long>(row.integer(3));
-    result.message = row.text(4);
-    for (const double block : known(row.doubles(5)))
-        result.blocks.push_back(storedIndex(block, blocks));
-    result.health.steps = static_cast<long>(row.integer(18));
-    result.health.passes = static_cast<long>(row.integer(6));
-    result.health.stepCuts = static_cast<long>(row.integer(7));
-    result.health.energyCuts = static_cast<long>(row.integer(8));
-    StepWork& work = result.health.work;
-    int column = 9;
-    for (long* count : {&work.factorizations, &work.fullFactorizations, &work.ranks, &work.solves, &work.products,
-                        &work.sweeps})
+    result.outcome = known(outcomeOf(row.text(3)));
+    result.time = row.real(4);
+    result.steps = static_cast<long>(row.integer(5));
+    result.message = row.text(6);
+    for (const double block : known(row.doubles(7))) result.blocks.push_back(storedIndex(block, blocks));
+    Health& health = result.health;
+    StepWork& work = health.work;
+    int column = 8;
+    for (long* count : {&health.passes, &health.stepCuts, &health.energyCuts, &work.factorizations,
+                        &work.fullFactorizations, &work.ranks, &work.solves, &work.products, &work.sweeps})
         *count = static_cast<long>(row.integer(column++));
-    result.health.maxPenetrationRatio = row.real(15);
-    result.health.maxResidual = row.real(16);
-    result.health.balanceError = row.real(17);
-    result.unstable = unstableBlocks(known(row.doubles(19)), blocks);
-    if (const auto farthest = unstableBlocks(known(row.doubles(20)), blocks); !farthest.empty())
+    for (double* number : {&health.maxPenetrationRatio, &health.maxResidual, &health.balanceError})
+        *number = row.real(column++);
+    health.steps = static_cast<long>(row.integer(20));
+    result.unstable = unstableBlocks(known(row.doubles(21)), blocks);
+    if (const auto farthest = unstableBlocks(known(row.doubles(22)), blocks); !farthest.empty())
         result.farthest = farthest.front();
-    for (const double block : known(row.doubles(21)))
-        result.loose.push_back(storedIndex(block, blocks));
-    result.health.worst = {indexBelow(row.integer(22), -1, blocks), row.real(23), row.real(24)};
-    result.health.awake = static_cast<long>(row.integer(25));
-    result.health.movable = static_cast<long>(row.integer(26));
+    for (const double block : known(row.doubles(23))) result.loose.push_back(storedIndex(block, blocks));
+    health.worst = {indexBelow(row.integer(24), -1, blocks), row.real(25), row.real(26)};
+    health.awake = static_cast<long>(row.integer(27));
+    health.movable = static_cast<long>(row.integer(28));
     return record;
+}
+
+/// Throws unless the next of the rows that are numbered without gaps has this number.
+void requireNumber(std::int64_t stored, std::size_t expected) {
+    if (stored != static_cast<std::int64_t>(expected)) outOfRange();
 }
 
 }  // namespace
@@ -114,11 +116,12 @@ auto RunStore::guarded(Work work) const {
     }
 }
 
-RunStore::RunStore(const fs::path& path) : path_(path), database_(opened(path)) {
+RunStore::RunStore(const fs::path& path) : path_(path), lacksJournal_(lacksJournal(path)), database_(opened(path)) {
     guarded([&] {
         requireRunStore(database_, path_);
         readAbout();
         readColumns();
+        readStages();
         readHeads();
     });
 }
@@ -126,7 +129,7 @@ RunStore::RunStore(const fs::path& path) : path_(path), database_(opened(path)) 
 void RunStore::readAbout() {
     sceneHash_ = aboutValue(database_, "scene_hash");
     programVersion_ = aboutValue(database_, "program_version");
-    SceneReading reading = readSceneText(aboutValue(database_, "scene"), path_.string() + " (scene)");
+    SceneReading reading = readSceneText(aboutValue(database_, "scene"), path_.string() + " (scene)", {}, std::nullopt);
     if (!reading.scene) {
         const std::string first = reading.problems.empty() ? "" : " (" + oneLine(reading.problems.front()) + ")";
         cannotRead(path_, "this program does not accept the scene in it" + first + "; run the scene again");
@@ -145,63 +148,65 @@ void RunStore::readColumns() {
         cannotRead(path_, damaged);
 }
 
-void RunStore::readHeads() {
-    sqlite::Statement statement(database_, std::string("SELECT ") + headColumns + ", frame FROM frames ORDER BY frame");
-    while (statement.next()) {
-        heads_.push_back(headAt(statement, scene_));
-        frameKeys_.push_back(statement.integer(14));
+void RunStore::readStages() {
+    sqlite::Statement rows(database_, selectChecked(run_schema::stageColumns, "FROM stages ORDER BY stage"));
+    while (nextChecked(rows, stageWidth)) {
+        stages_.push_back(stageAt(rows, scene_, names_.size()));
+        if (stages_.back().ended)
+            atLeast_ = {static_cast<long>(rows.integer(29)), static_cast<long>(rows.integer(30)),
+                        static_cast<long>(rows.integer(31))};
     }
 }
 
-std::vector<StageRecord> RunStore::stages() const {
-    return guarded([&] {
-        std::vector<StageRecord> records;
-        sqlite::Statement statement(database_,
-                                    "SELECT stage, outcome, time, steps, message, blocks, passes, step_cuts, "
-                                    "energy_cuts, factorizations, full_factorizations, ranks, solves, products, sweeps, "
-                                    "max_penetration_ratio, max_residual, balance_error, health_steps, "
-                                    "unstable, farthest, loose, worst_block, worst_share, worst_force, awake, movable "
-                                    "FROM stages ORDER BY stage");
-        while (statement.next())
-            records.push_back(stageAt(statement, scene_, names_.size()));
-        return records;
-    });
+/// The order of the frames and of their stages also shows whether rows were lost.
+void RunStore::readHeads() {
+    sqlite::Statement rows(database_, selectChecked(run_schema::headColumns, "FROM frames ORDER BY frame"));
+    while (nextChecked(rows, headWidth)) {
+        requireNumber(rows.integer(0), heads_.size() + 1);
+        heads_.push_back(headAt(rows, scene_));
+    }
+    const auto lastStage = stages_.empty() ? -1 : stages_.back().result.stage;
+    if (static_cast<long>(heads_.size()) < atLeast_.frames || (!heads_.empty() && heads_.back().stage > lastStage))
+        outOfRange();
 }
 
 std::vector<Event> RunStore::events() const {
     return guarded([&] {
         std::vector<Event> events;
-        sqlite::Statement statement(database_,
-                                    "SELECT stage, time, step, kind, bolt, node, element, block, other_block, x, y, "
-                                    "axial_force, shear_force, anchor_force, slip, history_row, cause FROM events "
-                                    "ORDER BY event");
-        while (statement.next())
-            events.push_back(eventAt(statement, scene_, names_.size()));
+        sqlite::Statement rows(database_, selectChecked(run_schema::eventColumns, "FROM events ORDER BY event"));
+        while (nextChecked(rows, eventWidth)) {
+            requireNumber(rows.integer(0), events.size() + 1);
+            events.push_back(eventAt(rows, scene_, names_.size()));
+        }
+        const long ofFrames = heads_.empty() ? 0 : heads_.back().events;
+        if (static_cast<long>(events.size()) < std::max(atLeast_.events, ofFrames)) outOfRange();
         return events;
     });
 }
 
 std::vector<HistoryRow> RunStore::history() const {
     return guarded([&] {
-        std::vector<HistoryRow> rows;
-        sqlite::Statement statement(database_, "SELECT stage, time, step, \"values\" FROM history ORDER BY row");
-        while (statement.next()) {
+        std::vector<HistoryRow> history;
+        sqlite::Statement rows(database_, selectChecked(run_schema::historyColumns, "FROM history ORDER BY row"));
+        while (nextChecked(rows, historyWidth)) {
+            requireNumber(rows.integer(0), history.size());
             HistoryRow row;
-            row.stage = indexBelow(statement.integer(0), 0, scene_.stages.size());
-            row.time = statement.real(1);
-            row.step = static_cast<long>(statement.integer(2));
-            row.values = known(statement.doubles(3));
-            if (row.values.size() != columns_.names.size())
-                cannotRead(path_, damaged);
-            rows.push_back(std::move(row));
+            row.stage = indexBelow(rows.integer(1), 0, scene_.stages.size());
+            row.time = rows.real(2);
+            row.step = static_cast<long>(rows.integer(3));
+            row.values = known(rows.doubles(4));
+            if (row.values.size() != columns_.names.size()) outOfRange();
+            history.push_back(std::move(row));
         }
-        return rows;
+        if (static_cast<long>(history.size()) < atLeast_.historyRows) outOfRange();
+        return history;
     });
 }
 
 Frame RunStore::frame(std::size_t index) const {
     assert(index < heads_.size());
-    return guarded([&] { return frameAt(database_, frameKeys_.at(index), scene_, corners_, heads_.at(index)); });
+    return guarded(
+        [&] { return frameAt(database_, static_cast<std::int64_t>(index) + 1, scene_, corners_, heads_.at(index)); });
 }
 
 std::optional<StoredCheckpoint> RunStore::checkpoint() const {

@@ -8,8 +8,8 @@
 
 #include "solver/files/run_store/sqlite.h"
 #include "solver/results/run_source.h"
+#include "solver/run/checkpoint.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -34,7 +34,7 @@ public:
     const Scene& scene() const override { return scene_; }
     const std::vector<std::string>& blockNames() const override { return names_; }
     const HistoryColumns& columns() const override { return columns_; }
-    std::vector<StageRecord> stages() const override;
+    std::vector<StageRecord> stages() const override { return stages_; }
     std::vector<Event> events() const override;
     std::vector<HistoryRow> history() const override;
     const std::vector<FrameHead>& frames() const override { return heads_; }
@@ -42,6 +42,9 @@ public:
 
     /// The latest checkpoint; none if no checkpoint has been stored yet or the run is complete.
     std::optional<StoredCheckpoint> checkpoint() const;
+
+    /// True if results may be missing because the store of an unfinished run was copied without its write-ahead file.
+    bool mayLackResults() const { return lacksJournal_ && !isFinished(*this); }
 
     const std::string& sceneHash() const { return sceneHash_; }  // SHA-256 of the scene's text, 64 hexadecimal digits
     const std::string& programVersion() const { return programVersion_; }  // version that wrote the store
@@ -51,9 +54,11 @@ private:
     auto guarded(Work work) const;
     void readAbout();
     void readColumns();
+    void readStages();
     void readHeads();
 
     std::filesystem::path path_;
+    bool lacksJournal_;  // before the store is opened, which may create one
     sqlite::Database database_;
     Scene scene_;
     std::vector<std::string> names_;
@@ -61,8 +66,9 @@ private:
     HistoryColumns columns_;
     std::string sceneHash_;
     std::string programVersion_;
+    std::vector<StageRecord> stages_;
+    Written atLeast_;  // number of results at the end of the last stage that has ended
     std::vector<FrameHead> heads_;
-    std::vector<std::int64_t> frameKeys_;  // key in the store for each head
 };
 
 /// Reads all results of a store into memory. \throws CannotRead if the store is damaged.

@@ -14,6 +14,7 @@
 #include "solver/files/sha256.h"
 #include "solver/files/run_store/sqlite.h"
 #include "solver/files/run_store/store_lock.h"
+#include "solver/files/run_store/store_reading.h"
 #include "solver/files/atomic_file.h"
 #include "solver/results/run_source.h"
 #include "solver/results/result_names.h"
@@ -35,6 +36,10 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void cannotWrite(const fs::path& path, const sqlite::Error& error) {
+    if ((error.code & 0xFF) == SQLITE_BUSY)
+        throw CannotWrite("cannot write " + path.string() +
+                          ": another program keeps it locked; save or discard the "
+                          "changes there and close it, then run again with --resume");
     throw CannotWrite(cannotWriteText(path, error.systemError, error.what()));
 }
 
@@ -80,6 +85,22 @@ void settleOldStore(const fs::path& path) {
         fs::remove(path.string() + ending, ignored);
 }
 
+/// The parameters `?first, …, ?last` of a statement.
+std::string numbered(int first, int last) {
+    std::string text = "?" + std::to_string(first);
+    for (int number = first + 1; number <= last; ++number) text += ", ?" + std::to_string(number);
+    return text;
+}
+
+/// Inserts a row with its checksum. \param columns a list of run_schema.h, of which the first `width` are bound.
+std::string insertChecked(const std::string& table, const std::string& columns, int width) {
+    std::size_t end = 0;
+    for (int column = 0; column < width; ++column) end = columns.find(',', end + 1);
+    const std::string values = numbered(1, width);
+    return "INSERT OR REPLACE INTO " + table + " (" + columns.substr(0, end) + ", checksum) VALUES (" + values +
+           ", row_checksum(" + values + "))";
+}
+
 void writeColumns(const sqlite::Database& database, const HistoryColumns& history) {
     sqlite::Statement insert(database, "INSERT INTO columns VALUES (?,?,?,?,?)");
     for (std::size_t payload = 0; payload < payloadWords().size(); ++payload) {
@@ -108,7 +129,7 @@ void writeColumns(const sqlite::Database& database, const HistoryColumns& histor
 
 void writeAbout(const sqlite::Database& database, const Scene& scene, const HistoryColumns& history) {
     const std::string text = wholeSceneText(scene);
-    sqlite::Statement insert(database, "INSERT INTO about VALUES (?,?)");
+    sqlite::Statement insert(database, insertChecked("about", run_schema::aboutColumns, 2));
     const auto put = [&](std::string_view key, std::string_view value) { insert.bind(key).bind(value).run(); };
     put("format", "keyblock-run");
     put("program_version", programVersion());
@@ -125,15 +146,37 @@ void requireWritableFolder(const fs::path& path) {
         throw CannotWrite(cannotWriteText(path, errno));
 }
 
-/// Creates a complete store without results at `part`.
+/// Makes a complete store without results of the empty file `part`.
 void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& columns) {
-    sqlite::Database database(part, sqlite::Access::Create);
+    sqlite::Database database(part, sqlite::Access::Write);
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA application_id=" + std::to_string(run_schema::applicationId) +
                  "; PRAGMA user_version=" + std::to_string(run_schema::version) + "; BEGIN;");
     database.run(run_schema::tables);
     writeColumns(database, columns);
     writeAbout(database, scene, columns);
     database.run("COMMIT; PRAGMA journal_mode=WAL");
+}
+
+/// A path next to `path` at which there is no file: `path` itself, or its name with a number.
+fs::path freePath(const fs::path& path) {
+    std::error_code ignored;
+    fs::path free = path;
+    for (int number = 2; fs::exists(fs::symlink_status(free, ignored)); ++number)
+        free.replace_filename(path.stem().string() + "-" + std::to_string(number) + path.extension().string());
+    return free;
+}
+
+/// Merges the write-ahead file into the database. \return false if a reader prevented it.
+bool mergesJournal(const sqlite::Database& database) {
+    sqlite::Statement merge(database, "PRAGMA wal_checkpoint(TRUNCATE)");
+    return merge.next() && merge.integer(0) == 0;
+}
+
+/// Removes what is left of a write-ahead file that was merged and whose database is no longer at `path`.
+void removeEmptyJournal(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::exists(path, ignored) || fs::file_size(path.string() + "-wal", ignored) != 0) return;
+    for (const char* ending : {"-wal", "-shm"}) fs::remove(path.string() + ending, ignored);
 }
 
 /// Moves the new store to its path; a store that another run has created there in the meantime is kept.
@@ -151,16 +194,17 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
         throw CannotWrite(cannotWriteText(path, error.value()));
 }
 
-constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
-constexpr const char* endStage =
-    "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, energy_cuts=?, "
-    "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=?, "
-    "unstable=?, farthest=?, loose=?, worst_block=?, worst_share=?, worst_force=?, awake=?, movable=? WHERE stage=?";
-constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
-constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
-constexpr const char* insertFrame =
-    "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr int stageBeginWidth = 3;  // a stage that has begun has only the first columns
 constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
+
+/// A frame's numbers and their checksum, then its BLOBs and theirs.
+std::string insertFrame() {
+    using namespace store_reading;
+    const std::string numbers = numbered(1, headWidth), blobs = numbered(headWidth + 1, headWidth + payloadWidth);
+    return std::string("INSERT INTO frames (") + run_schema::headColumns + ", checksum, payload_checksum, " +
+           run_schema::payloadColumns + ") VALUES (" + numbers + ", row_checksum(" + numbers + "), row_checksum(" +
+           blobs + "), " + blobs + ")";
+}
 
 /// A row of four values per block, as listed in table `columns`.
 std::vector<double> numbersOf(const std::vector<UnstableBlock>& blocks) {
@@ -179,19 +223,15 @@ void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
     clear("DELETE FROM events WHERE event>?", from.written.events);
     clear("DELETE FROM history WHERE row>=?", from.written.historyRows);
     clear("DELETE FROM frames WHERE frame>?", from.written.frames);
-    clear("DELETE FROM stages WHERE stage>=?", from.begun ? from.stage + 1 : from.stage);
-    clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
-          "step_cuts=NULL, energy_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, "
-          "solves=NULL, products=NULL, sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
-          "health_steps=NULL, unstable=NULL, farthest=NULL, loose=NULL, worst_block=NULL, worst_share=NULL, worst_force=NULL, awake=NULL, movable=NULL "
-          "WHERE stage=?", from.stage);
+    clear("DELETE FROM stages WHERE stage>=?", from.stage);
 }
 
 }  // namespace
 
 /// The store while it is open. Statements are destroyed before the connection to which they belong.
 struct RunStoreWriter::Open {
-    explicit Open(const fs::path& path) : lock(path), database(path, sqlite::Access::Write) {
+    Open(const fs::path& path, std::chrono::milliseconds patience) : lock(path), database(path, sqlite::Access::Write) {
+        database.waitForLocks(patience);
         database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
     }
 
@@ -210,12 +250,13 @@ struct RunStoreWriter::Open {
     StoreLock lock;
     sqlite::Database database;
     bool inTransaction = false;
-    std::int64_t historyRows = 0;
-    sqlite::Statement stage{database, insertStage};
-    sqlite::Statement stageEnd{database, endStage};
-    sqlite::Statement event{database, insertEvent};
-    sqlite::Statement history{database, insertHistory};
-    sqlite::Statement frame{database, insertFrame};
+    Written written;
+    sqlite::Statement stage{database, insertChecked("stages", run_schema::stageColumns, stageBeginWidth)};
+    sqlite::Statement stageEnd{database, insertChecked("stages", run_schema::stageColumns, store_reading::stageWidth)};
+    sqlite::Statement event{database, insertChecked("events", run_schema::eventColumns, store_reading::eventWidth)};
+    sqlite::Statement history{database,
+                              insertChecked("history", run_schema::historyColumns, store_reading::historyWidth)};
+    sqlite::Statement frame{database, insertFrame()};
     sqlite::Statement checkpoint{database, putCheckpoint};
 };
 
@@ -231,7 +272,8 @@ void requireFreeStore(const fs::path& path, bool overwrite) {
         throw StoreExists(path.string() + " is not a run store and is not overwritten; choose another --out");
 }
 
-RunStoreWriter::RunStoreWriter(fs::path path, bool overwrite) : path_(std::move(path)), overwrite_(overwrite) {
+RunStoreWriter::RunStoreWriter(fs::path path, bool overwrite, std::chrono::milliseconds patience)
+    : path_(std::move(path)), overwrite_(overwrite), patience_(patience) {
     requireFreeStore(path_, overwrite_);
 }
 
@@ -255,21 +297,47 @@ void RunStoreWriter::write(Work work) {
         open_.reset();
         cannotWrite(path_, error);
     }
+    if (!open_->inTransaction && !open_->lock.isAt(path_)) leaveLostStore();
+}
+
+/// Ends the writing of a store that is no longer at its path. A store that was moved receives all results; one that was
+/// deleted is written to its path again, from the file that this process still has open.
+void RunStoreWriter::leaveLostStore() {
+    const std::string lost = "cannot write " + path_.string() + ": it was deleted, moved or replaced during the run; ";
+    const fs::path part = partPath(path_);
+    fs::path kept;
+    try {
+        if (mergesJournal(open_->database)) kept = open_->lock.presentPath();
+        if (kept.empty()) {
+            makePartFile(path_);
+            sqlite::Statement(open_->database, "VACUUM INTO ?").bind(part.string()).run();
+        }
+        open_.reset();
+        removeEmptyJournal(path_);
+        if (kept.empty()) {
+            kept = freePath(path_);
+            fs::rename(part, kept);
+        }
+    } catch (const std::exception& error) {
+        open_.reset();
+        throw CannotWrite(lost + "its results could not be kept (" + error.what() + "); run the scene again");
+    }
+    throw CannotWrite(lost + "the results so far are in " + kept.string() + "; run again with --resume --out " +
+                      kept.string());
 }
 
 void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
     scene_ = withCollapseStages(scene);
     requireFreeStore(path_, overwrite_);
     requireWritableFolder(path_);
-    const fs::path part = partPath(path_);
+    const fs::path part = makePartFile(path_);
     std::error_code ignored;
-    fs::remove(part, ignored);
     try {
         makeStore(part, scene, columns);
         settleOldStore(path_);
         putInPlace(part, path_, overwrite_);
         fs::remove(part, ignored);
-        open_ = std::make_unique<Open>(path_);
+        open_ = std::make_unique<Open>(path_, patience_);
     } catch (const sqlite::Error& error) {
         fs::remove(part, ignored);
         cannotWrite(path_, error);
@@ -282,39 +350,48 @@ void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
 void RunStoreWriter::resume(const Scene& scene, const HistoryColumns&, const Checkpoint& from) {
     scene_ = withCollapseStages(scene);
     try {
-        open_ = std::make_unique<Open>(path_);
+        open_ = std::make_unique<Open>(path_, patience_);
     } catch (const sqlite::Error& error) {
         cannotWrite(path_, error);
     }
     write([&](Open& open) {
         forgetWhatFollows(open.database, from);
-        open.historyRows = from.written.historyRows;
+        if (from.begun) putStage(open, from.stage);
+        open.written = from.written;
         open.commit();
     });
 }
 
+void RunStoreWriter::putStage(Open& open, int stage) const {
+    open.stage.bind(std::int64_t{stage}).bind(stageName(scene_, stage));
+    open.stage.bind(wordOf(scene_.stages.at(static_cast<std::size_t>(stage)).kind)).run();
+}
+
 void RunStoreWriter::stageBegins(int stage) {
     write([&](Open& open) {
-        open.stage.bind(std::int64_t{stage}).bind(stageName(scene_, stage));
-        open.stage.bind(wordOf(scene_.stages.at(static_cast<std::size_t>(stage)).kind)).run();
+        putStage(open, stage);
         open.commit();
     });
 }
 
 void RunStoreWriter::event(const Event& e) {
     write([&](Open& open) {
+        open.event.bind(std::int64_t{++open.written.events});
         open.event.bind(std::int64_t{e.stage}).bind(e.time).bind(std::int64_t{e.step}).bind(wordOf(e.kind));
         for (const int index : {e.bolt, e.node, e.element, e.block, e.otherBlock})
             open.event.bind(std::int64_t{index});
         for (const double value : {e.position.x(), e.position.y(), e.axialForce, e.shearForce, e.anchorForce, e.slip})
             open.event.bind(value);
-        open.event.bind(open.historyRows - 1).bind(std::int64_t{e.cause}).run();
+        open.event.bind(std::int64_t{open.written.historyRows - 1}).bind(std::int64_t{e.cause}).run();
     });
 }
 
 void RunStoreWriter::history(const HistoryRow& row) {
     write([&](Open& open) {
-        open.history.bind(open.historyRows++).bind(std::int64_t{row.stage}).bind(row.time).bind(std::int64_t{row.step});
+        open.history.bind(std::int64_t{open.written.historyRows++})
+            .bind(std::int64_t{row.stage})
+            .bind(row.time)
+            .bind(std::int64_t{row.step});
         open.history.bind(std::span<const double>(row.values)).run();
     });
 }
@@ -322,6 +399,7 @@ void RunStoreWriter::history(const HistoryRow& row) {
 void RunStoreWriter::frame(const Frame& frame) {
     write([&](Open& open) {
         const Energy& e = frame.energy;
+        open.frame.bind(std::int64_t{++open.written.frames});
         open.frame.bind(std::int64_t{frame.stage}).bind(frame.time).bind(std::int64_t{frame.step});
         open.frame.bind(std::int64_t{frame.events});
         for (const double value : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped,
@@ -338,6 +416,8 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
     write([&](Open& open) {
         const std::vector<double> blocks(result.blocks.begin(), result.blocks.end());
         const Health& health = result.health;
+        open.stageEnd.bind(std::int64_t{result.stage}).bind(stageName(scene_, result.stage));
+        open.stageEnd.bind(wordOf(scene_.stages.at(static_cast<std::size_t>(result.stage)).kind));
         open.stageEnd.bind(wordOf(result.outcome)).bind(result.time).bind(std::int64_t{result.steps});
         open.stageEnd.bind(result.message).bind(std::span<const double>(blocks));
         open.stageEnd.bind(std::int64_t{health.passes}).bind(std::int64_t{health.stepCuts});
@@ -356,7 +436,9 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
             open.stageEnd.bind(std::span<const double>(*numbers));
         open.stageEnd.bind(std::int64_t{health.worst.block}).bind(health.worst.share).bind(health.worst.force);
         open.stageEnd.bind(std::int64_t{health.awake}).bind(std::int64_t{health.movable});
-        open.stageEnd.bind(std::int64_t{result.stage}).run();
+        for (const long count : {open.written.events, open.written.historyRows, open.written.frames})
+            open.stageEnd.bind(std::int64_t{count});
+        open.stageEnd.run();
         if (endsRun(scene_, result))
             open.database.run("DELETE FROM checkpoint");
         open.commit();

@@ -11,6 +11,7 @@
 #include "solver/run/write_error.h"
 #include "solver/run/sink.h"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -28,14 +29,17 @@ void requireFreeStore(const std::filesystem::path& path, bool overwrite);
 class RunStoreWriter : public Sink {
 public:
     /// Writes nothing yet; `begin` creates the store and writes the scene to it.
+    /// \param patience how long a write waits while another program has the store locked.
     /// \throws StoreExists if no store may be written to `path` (see `requireFreeStore`).
-    RunStoreWriter(std::filesystem::path path, bool overwrite);
+    RunStoreWriter(std::filesystem::path path, bool overwrite,
+                   std::chrono::milliseconds patience = std::chrono::minutes(1));
     /// Closes the store if it is still open. Results that can no longer be written are lost; nothing is thrown.
     ~RunStoreWriter() override;
     RunStoreWriter(const RunStoreWriter&) = delete;
     RunStoreWriter& operator=(const RunStoreWriter&) = delete;
 
-    // Each function throws CannotWrite on failure; the store then keeps what was committed before.
+    // Each function throws CannotWrite on failure; the store then keeps what was committed before. So does a function that
+    // finds that the store is no longer the file at its path; the results so far are then kept in another file.
     void begin(const Scene& scene, const HistoryColumns& columns) override;
     /// Continues the existing store. \pre the store belongs to this scene, and `from` was read from the store.
     void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from) override;
@@ -57,9 +61,12 @@ private:
 
     template <typename Work>
     void write(Work work);
+    [[noreturn]] void leaveLostStore();
+    void putStage(Open& open, int stage) const;
 
     std::filesystem::path path_;
     bool overwrite_;
+    std::chrono::milliseconds patience_;
     Scene scene_;
     std::unique_ptr<Open> open_;
 };

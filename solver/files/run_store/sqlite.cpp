@@ -4,8 +4,11 @@
 // Doubles are stored byte by byte in little-endian order on every machine.
 #include "solver/files/run_store/sqlite.h"
 
+#include "solver/files/run_store/row_checksum.h"
+
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <limits>
@@ -14,7 +17,10 @@ namespace keyblock::sqlite {
 
 namespace {
 
-constexpr int busyWait = 5000;  // [ms]
+constexpr std::chrono::seconds busyWait{5};
+constexpr int progressEvery = 10000;  // instructions of SQLite's virtual machine
+// Instructions that a statement may take, plus those per byte of the file: reading a row takes fewer than one per byte.
+constexpr std::int64_t leastAllowed = 20000000, allowedPerByte = 8;
 
 /// Throws the connection's message about its last failure.
 [[noreturn]] void fail(int code, sqlite3* connection) {
@@ -49,6 +55,28 @@ int flagsFor(Access access) {
     return SQLITE_OPEN_READONLY;
 }
 
+std::int64_t sizeOf(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    return error ? 0 : static_cast<std::int64_t>(size);
+}
+
+int countEffort(void* pointer) {
+    Effort& effort = *static_cast<Effort*>(pointer);
+    if (++effort.spent <= effort.allowed) return 0;
+    const std::int64_t size = sizeOf(effort.file) + sizeOf(effort.file.string() + "-wal");
+    effort.allowed = std::max(effort.allowed, (leastAllowed + allowedPerByte * size) / progressEvery);
+    return effort.spent > effort.allowed ? 1 : 0;
+}
+
+/// Nothing in the schema of a file is executed.
+void distrustSchema(sqlite3* handle) {
+    for (const int option : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER,
+                             SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION})
+        sqlite3_db_config(handle, option, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+}
+
 std::vector<unsigned char> packed(std::span<const double> values) {
     std::vector<unsigned char> bytes;
     bytes.reserve(values.size() * sizeof(double));
@@ -71,17 +99,26 @@ double unpacked(const unsigned char* bytes) {
 
 void Database::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
 
-Database::Database(const std::filesystem::path& path, Access access) {
+Database::Database(const std::filesystem::path& path, Access access) : effort_(std::make_unique<Effort>()) {
     const std::string name = access == Access::ReadUnchanging ? unchangingUri(path) : path.string();
     sqlite3* handle = nullptr;
     const int code = sqlite3_open_v2(name.c_str(), &handle, flagsFor(access), nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK)
         fail(code, handle);
-    sqlite3_busy_timeout(handle, busyWait);
+    waitForLocks(busyWait);
+    distrustSchema(handle);
+    addRowChecksum(handle);
+    effort_->file = path;
+    sqlite3_progress_handler(handle, progressEvery, countEffort, effort_.get());
+}
+
+void Database::waitForLocks(std::chrono::milliseconds patience) {
+    sqlite3_busy_timeout(handle(), static_cast<int>(patience.count()));
 }
 
 void Database::run(const std::string& sql) {
+    effort_->spent = 0;
     const int code = sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr);
     if (code != SQLITE_OK)
         fail(code, handle());
@@ -89,7 +126,8 @@ void Database::run(const std::string& sql) {
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
-Statement::Statement(const Database& database, std::string_view sql) {
+Statement::Statement(const Database& database, std::string_view sql) : effort_(database.effort()) {
+    effort_.spent = 0;
     sqlite3_stmt* statement = nullptr;
     const int code =
         sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
@@ -135,6 +173,7 @@ Statement& Statement::bindBytes(std::string_view bytes) {
 }
 
 void Statement::run() {
+    effort_.spent = 0;
     next();
     sqlite3_reset(statement_.get());
     bound_ = 0;

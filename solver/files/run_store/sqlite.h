@@ -5,6 +5,7 @@
 // exceptions.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -31,8 +32,17 @@ struct Error : std::runtime_error {
 
 enum class Access { Create, Write, Read, ReadUnchanging };
 
+/// Number of progress reports of SQLite since a statement began, and the number at which it is interrupted, which grows
+/// with the file.
+struct Effort {
+    std::filesystem::path file;
+    std::int64_t spent = 0, allowed = 0;
+};
+
 /// A connection to a database, closed by the destructor. `Access::ReadUnchanging` is for a file that no process is
-/// writing to, in a folder without write permission.
+/// writing to, in a folder without write permission. The file may come from any source: triggers, views and functions
+/// in its schema are not executed, and a statement that takes much longer than reading the whole file ends with an
+/// error. Statements may use the function `row_checksum` (row_checksum.h).
 /// \throws Error
 class Database {
 public:
@@ -40,13 +50,17 @@ public:
 
     /// Runs SQL statements that return no rows.
     void run(const std::string& sql);
+    /// Sets how long statements wait while another program has the database locked; 5 s if it is not called.
+    void waitForLocks(std::chrono::milliseconds patience);
     sqlite3* handle() const { return handle_.get(); }
+    Effort& effort() const { return *effort_; }
 
 private:
     struct Close {
         void operator()(sqlite3* handle) const;
     };
 
+    std::unique_ptr<Effort> effort_;  // outlives the handle, which refers to it
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
@@ -82,6 +96,7 @@ private:
     sqlite3* connection() const;
 
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+    Effort& effort_;
     int bound_ = 0;
 };
 

@@ -7,9 +7,12 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
+#include <system_error>
 
 namespace keyblock {
 
@@ -24,5 +27,19 @@ StoreLock::StoreLock(const std::filesystem::path& path) : file_(::open(path.c_st
 }
 
 StoreLock::~StoreLock() { ::close(file_); }
+
+bool StoreLock::isAt(const std::filesystem::path& path) const {
+    struct stat own {
+    }, there{};
+    if (::fstat(file_, &own) != 0) return true;
+    if (::stat(path.c_str(), &there) != 0) return errno != ENOENT && errno != ENOTDIR;
+    return own.st_dev == there.st_dev && own.st_ino == there.st_ino;
+}
+
+std::filesystem::path StoreLock::presentPath() const {
+    std::error_code error;
+    const std::filesystem::path now = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file_), error);
+    return !error && isAt(now) ? now : std::filesystem::path();
+}
 
 }  // namespace keyblock

@@ -21,6 +21,11 @@ public:
     StoreLock(const StoreLock&) = delete;
     StoreLock& operator=(const StoreLock&) = delete;
 
+    /// Whether the file at `path` is the one that was locked, or the file system does not tell.
+    bool isAt(const std::filesystem::path& path) const;
+    /// Path at which the locked file is now; empty if it was deleted or its path is unknown.
+    std::filesystem::path presentPath() const;
+
 private:
     int file_ = -1;
 };

@@ -18,6 +18,10 @@ namespace keyblock::store_reading {
 
 inline constexpr const char* damaged = "the store is damaged; run the scene again with --overwrite";
 
+/// True if the file is a store in write-ahead mode without its write-ahead file. SQLite then reads the results that had
+/// been merged into it, which need not be all.
+bool lacksJournal(const std::filesystem::path& path);
+
 /// Throws CannotRead with a message that gives the path and the reason.
 [[noreturn]] void cannotRead(const std::filesystem::path& path, const std::string& reason);
 
@@ -29,13 +33,21 @@ sqlite::Database opened(const std::filesystem::path& path);
 /// \throws CannotRead
 sqlite::Database openedAgain(const std::filesystem::path& path);
 
-/// Checks that the database is a run store of the current version. \throws CannotRead if it is not.
+/// Checks that the database is a run store of the current version and has the tables of one and nothing else: no view,
+/// trigger, index or virtual table. \throws CannotRead if it is not.
 void requireRunStore(const sqlite::Database& database, const std::filesystem::path& path);
 
-/// The value stored under `key` in the table `about`; empty if the table has no such key.
+// Each of the following throws `sqlite::Error` if the store is damaged.
+
+/// The value stored under `key` in the table `about`.
 std::string aboutValue(const sqlite::Database& database, std::string_view key);
 
-// Each of the following throws `sqlite::Error` if the store is damaged.
+/// SQL that selects `columns`, a list of run_schema.h, and in the column after them whether the checksum is right.
+std::string selectChecked(const std::string& columns, const std::string& rest, const char* checksum = "checksum");
+
+/// Steps to the next row of a statement made by `selectChecked` and checks it.
+/// \param columns the number of columns before that of the checksum.
+bool nextChecked(sqlite::Statement& rows, int columns);
 
 /// Checks that a stored index is at least `first` and less than `end`, and returns it.
 int indexBelow(std::int64_t value, std::int64_t first, std::size_t end);
@@ -47,10 +59,10 @@ Value known(const std::optional<Value>& value) {
     return *value;
 }
 
-/// Columns of the table `frames` in the order in which `headAt` reads them.
-inline constexpr const char* headColumns =
-    "stage, time, step, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, "
-    "balance_error, events";
+/// Number of columns in each list of run_schema.h.
+inline constexpr int stageWidth = 32, eventWidth = 18, historyWidth = 5, headWidth = 15, payloadWidth = 12;
+
+/// The head of a frame in a row of `run_schema::headColumns`.
 FrameHead headAt(const sqlite::Statement& row, const Scene& scene);
 
 /// Reads the frame stored under `key`.

@@ -14,7 +14,8 @@ Scene storedScene(const std::filesystem::path& store) {
     const sqlite::Database database = opened(store);
     try {
         requireRunStore(database, store);
-        SceneReading reading = readSceneText(aboutValue(database, "scene"), store.string() + " (scene)");
+        SceneReading reading = readSceneText(aboutValue(database, "scene"), store.string() + " (scene)", {},
+                                             std::nullopt);
         if (!reading.scene) cannotRead(store, "this program does not accept the scene in it; run the scene again");
         return std::move(*reading.scene);
     } catch (const sqlite::Error&) {

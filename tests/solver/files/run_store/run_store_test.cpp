@@ -14,6 +14,7 @@
 #include "solver/files/run_store/stored_frames.h"
 #include "solver/results/tables.h"
 #include "tests/scratch_folder.h"
+#include "tests/solver/files/run_store/sealed_store.h"
 #include "tests/solver/results/sample_run.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <new>
+#include <random>
 #include <sstream>
 
 namespace keyblock {
@@ -321,7 +323,9 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     const auto damagedBy = [&](const std::string& sql) {
         fs::remove(storePath());
         writeSample();
-        runSql(sql);
+        sqlite::Database database(storePath(), sqlite::Access::Write);
+        database.run(sql);
+        if (sql.find("DROP") == std::string::npos) test::seal(database);
         try {
             readResults(RunStore(storePath()));
         } catch (const CannotRead&) {
@@ -338,6 +342,11 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'000000000000F87F' || zeroblob(16)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x''"));  // blocks without corners
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = substr(corners, 1, 72)"));  // a block with three of its corners
+    // blocks without corners that have no area, as excavated ones, but not exactly
+    for (const char* area : {"000000000000F87F", "000000000000F0BF"})
+        EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'', blocks = x'" + std::string(160, '0') + area +
+                              std::string(16, '0') + "' || x'" + std::string(192, '0') + "'"))
+            << area;
     EXPECT_TRUE(damagedBy("UPDATE frames SET stage = 9"));
     EXPECT_TRUE(damagedBy("UPDATE events SET bolt = 4"));
     EXPECT_TRUE(damagedBy("UPDATE events SET kind = 'surprise'"));
@@ -345,6 +354,144 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
     EXPECT_TRUE(damagedBy("UPDATE stages SET outcome = 'won'"));
     EXPECT_TRUE(damagedBy("UPDATE about SET value = '{' WHERE key = 'scene'"));
     EXPECT_TRUE(damagedBy("DROP TABLE history"));
+}
+
+/// Everything that is shown of a run is guarded by a checksum, and so is the number of rows.
+TEST_F(RunStoreTest, RefusesResultsThatHaveChanged) {
+    const auto isRefusedAfter = [&](const std::string& sql) {
+        fs::remove(storePath());
+        writeSample();
+        runSql(sql);
+        try {
+            readResults(RunStore(storePath()));
+        } catch (const CannotRead& error) {
+            return std::string(error.what()).find("damaged") != std::string::npos;
+        }
+        return false;
+    };
+    for (const std::string sql :
+         {"UPDATE frames SET kinetic = kinetic + 1e-9", "UPDATE frames SET events = events + 1",
+          "UPDATE frames SET blocks = substr(blocks, 1, 40) || x'01' || substr(blocks, 42)",
+          "UPDATE frames SET block_extremes = x'01' || substr(block_extremes, 2)",
+          "UPDATE history SET \"values\" = x'01' || substr(\"values\", 2)", "UPDATE history SET time = time + 1",
+          "UPDATE events SET x = x + 1e-9", "UPDATE events SET slip = NULL", "UPDATE stages SET steps = steps + 1",
+          "UPDATE stages SET outcome = NULL", "UPDATE stages SET message = message || '.'",
+          "UPDATE about SET value = '9.9' WHERE key = 'program_version'", "DELETE FROM about WHERE key = 'scene_hash'",
+          "DELETE FROM frames WHERE frame = (SELECT max(frame) FROM frames)",
+          "DELETE FROM history WHERE row = (SELECT max(row) FROM history)", "DELETE FROM events WHERE event = 1",
+          "DELETE FROM stages WHERE stage = (SELECT max(stage) FROM stages)"})
+        EXPECT_TRUE(isRefusedAfter(sql)) << sql;
+}
+
+/// `make flips` reads more of them with every command.
+TEST_F(RunStoreTest, AFlippedBitChangesNothingThatIsRead) {
+    writeSample();
+    const std::string whole = test::contentOf(storePath());
+    const Results results = test::sampleResults();
+    std::mt19937 random(3);
+    int refused = 0;
+    for (int flip = 0; flip < 100; ++flip) {
+        std::string flipped = whole;
+        flipped[random() % flipped.size()] ^= static_cast<char>(1u << random() % 8);
+        test::putContent(storePath(), flipped);
+        try {
+            const RunStore store(storePath());
+            EXPECT_EQ(readResults(store), results) << flip;
+            EXPECT_EQ(store.scene(), test::sampleScene()) << flip;
+        } catch (const CannotRead&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 15);
+}
+
+/// A store that was deleted, moved or replaced during its run: nothing is lost, and the run ends at once.
+class LostStore : public RunStoreTest {
+protected:
+    /// Writes a frame, lets `lose` take the store away, and writes another. \return what the writer says.
+    std::string messageAfter(const std::function<void()>& lose) const {
+        RunStoreWriter writer(storePath(), false);
+        writer.begin(test::sampleScene(), test::sampleResults().columns);
+        writer.stageBegins(0);
+        writer.frame(laterFrame(0));
+        lose();
+        try {
+            writer.frame(laterFrame(1));
+        } catch (const CannotWrite& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    void expectBothFrames(const fs::path& path) const {
+        const RunStore store(path);
+        ASSERT_EQ(store.frames().size(), 2u);
+        for (int count : {0, 1}) EXPECT_EQ(store.frame(count), laterFrame(count));
+    }
+};
+
+TEST_F(LostStore, ThatWasMovedHasAllResults) {
+    const fs::path moved = folder_.path() / "moved.kbrun";
+    const std::string message = messageAfter([&] { fs::rename(storePath(), moved); });
+    EXPECT_NE(message.find("are in " + moved.string()), std::string::npos) << message;
+    expectBothFrames(moved);
+    EXPECT_FALSE(fs::exists(storePath().string() + "-wal"));
+}
+
+TEST_F(LostStore, ThatWasDeletedIsThereAgain) {
+    const std::string message = messageAfter([&] { fs::remove(storePath()); });
+    EXPECT_NE(message.find("are in " + storePath().string()), std::string::npos) << message;
+    expectBothFrames(storePath());
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(LostStore, ThatWasDeletedWithItsJournalIsThereAgain) {
+    messageAfter([&] {
+        for (const char* ending : {"", "-wal", "-shm"}) fs::remove(storePath().string() + ending);
+    });
+    expectBothFrames(storePath());
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(LostStore, ThatWasReplacedLeavesTheOtherFileAlone) {
+    const std::string message = messageAfter([&] {
+        fs::remove(storePath());
+        test::putContent(storePath(), "notes that somebody needs");
+    });
+    const fs::path kept = folder_.path() / "run-2.kbrun";
+    EXPECT_NE(message.find("are in " + kept.string()), std::string::npos) << message;
+    expectBothFrames(kept);
+    EXPECT_EQ(test::contentOf(storePath()), "notes that somebody needs");
+}
+
+TEST_F(RunStoreTest, SaysWhenAnotherProgramKeepsItLocked) {
+    RunStoreWriter writer(storePath(), false, std::chrono::milliseconds(50));
+    writer.begin(test::sampleScene(), test::sampleResults().columns);
+    sqlite::Database other(storePath(), sqlite::Access::Write);
+    other.run("BEGIN IMMEDIATE");
+    try {
+        writer.stageBegins(0);
+        ADD_FAILURE();
+    } catch (const CannotWrite& error) {
+        EXPECT_NE(std::string(error.what()).find("another program keeps it locked"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(RunStoreTest, SaysWhenItWasCopiedWithoutItsJournal) {
+    childStatus([&] {
+        RunStoreWriter writer(storePath(), false);
+        writer.begin(test::sampleScene(), test::sampleResults().columns);
+        writer.stageBegins(0);
+        writer.frame(laterFrame(0));
+        ::kill(::getpid(), SIGKILL);
+    });
+    const fs::path copy = folder_.path() / "copy.kbrun";
+    fs::copy_file(storePath(), copy);
+    for (int time = 0; time < 2; ++time) EXPECT_TRUE(RunStore(copy).mayLackResults()) << time;
+    EXPECT_FALSE(RunStore(storePath()).mayLackResults());
+    writeSample(true);
+    EXPECT_FALSE(RunStore(storePath()).mayLackResults());
 }
 
 TEST_F(RunStoreTest, SaysWhenItCannotWrite) {
