@@ -8,10 +8,15 @@
 #include "solver/files/read_error.h"
 #include "solver/files/run_store/run_store_writer.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace keyblock::cli {
 
@@ -31,6 +36,20 @@ ExitCode failed(ExitCode code, const std::string& message) {
     return code;
 }
 
+ExitCode outOfMemory() {
+    return failed(
+        Internal,
+        "out of memory; reduce the scene, or raise the limit of memory (ulimit -v), or use a machine with more "
+        "memory");
+}
+
+/// True if a thread could not be started, for which there was no memory. TBB says so in the text of its error only.
+bool lacksThreads(const std::exception& error) {
+    const auto* ofSystem = dynamic_cast<const std::system_error*>(&error);
+    return (ofSystem && ofSystem->code() == std::errc::resource_unavailable_try_again) ||
+           std::string_view(error.what()).starts_with("pthread_create");
+}
+
 ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
     try {
         return obey(argc, argv);
@@ -43,13 +62,22 @@ ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
     } catch (const CannotWrite& error) {
         return failed(NotWritten, error.what());
     } catch (const std::bad_alloc&) {
-        return failed(Internal, "out of memory; reduce the scene or use a machine with more memory");
+        return outOfMemory();
     } catch (const std::exception& error) {
+        if (lacksThreads(error)) return outOfMemory();
         return failed(Internal, "internal: " + std::string(error.what()) + "; please report it with the scene");
     }
 }
 
 }  // namespace
+
+/// Ends the program. With a limit of its address space, OpenBLAS may not have got memory for a thread that it starts on
+/// its own, and its destructor would wait for that thread for ever. All output has been flushed by then.
+int ended(int code) {
+    rlimit space{};
+    if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) ::_exit(code);
+    return code;
+}
 
 }  // namespace keyblock::cli
 
@@ -58,7 +86,7 @@ int main(int argc, char** argv) {
     takeFailedWritesAsErrors();
     const ExitCode code = obeyOrTellWhy(argc, argv);
     if (const int failure = outputFailure(); failure != 0 && code == Done)
-        return failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +
-                                      "; free some space");
-    return code;
+        return ended(failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +
+                                            "; free some space"));
+    return ended(code);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/supernodal_factor.h"
 
+#include "solver/engine/step/blas_memory.h"
+
 #include <cblas.h>
 
 #include <algorithm>
@@ -27,6 +29,7 @@ int factorAlone(const Supernode& node) {
 }  // namespace
 
 void SupernodalFactor::analyse(const cholmod_factor& factor) {
+    reserveBlasMemory();
     const auto* super = static_cast<const int*>(factor.super);
     supernodeOf_.resize(factor.n);
     for (std::size_t s = 0; s < factor.nsuper; ++s)

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenBLAS needs a large buffer and asks for it again and again, for ever, where the
+// system does not give it. It is therefore asked for here first.
+#pragma once
+
+namespace keyblock {
+
+/// Makes OpenBLAS take its buffer now; it then keeps it. Later calls do nothing.
+/// \throws std::bad_alloc if there is not enough memory for it.
+void reserveBlasMemory();
+
+}  // namespace keyblock
