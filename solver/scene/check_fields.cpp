@@ -7,9 +7,51 @@
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace keyblock {
 
 namespace {
+
+// No quantity of a rock mass comes near these, in any unit of the format; the products of some such numbers leave the
+// range of a double, and results would be infinite or not a number.
+constexpr double largest = 1e20;
+constexpr double smallest = 1e-40;  // of a quantity that must be positive
+
+double magnitudeOf(double number) { return std::abs(number); }
+double magnitudeOf(const Point& point) { return point.cwiseAbs().maxCoeff(); }
+double magnitudeOf(const std::pair<double, double>& row) { return std::max(std::abs(row.first), std::abs(row.second)); }
+double magnitudeOf(const BoltPlace& place) { return place.head ? 0.0 : std::abs(place.s); }
+
+template <typename Items>
+double largestOf(const Items& items) {
+    double magnitude = 0.0;
+    for (const auto& item : items) magnitude = std::max(magnitude, magnitudeOf(item));
+    return magnitude;
+}
+
+double magnitudeOf(const std::vector<Point>& points) { return largestOf(points); }
+double magnitudeOf(const Table& table) { return largestOf(table); }
+double magnitudeOf(const Stress& stress) { return largestOf(stress); }
+
+template <typename Other>
+double magnitudeOf(const Other&) {
+    return 0.0;  // flags and texts
+}
+
+void checkMagnitude(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report) {
+    const double magnitude = std::visit([](const auto& held) { return magnitudeOf(held); }, value);
+    if (magnitude > largest && std::isinf(field.range.most))  // others have a range of their own
+        report.error(pointer, inQuotes(field.key) + " contains a number of magnitude " + shortest(magnitude),
+                     "Give numbers of magnitude up to " + shortest(largest));
+    const bool isPositive = !field.unit.empty() && field.range.leastExcluded && field.range.least == 0.0;
+    const auto* number = std::get_if<double>(&value);
+    if (isPositive && number && *number > 0.0 && *number < smallest)
+        report.error(pointer, shortest(*number) + " is too small for " + inQuotes(field.key),
+                     "Give a number from " + shortest(smallest));
+}
 
 void checkRange(const Field& field, double number, const std::string& pointer, CheckReport& report) {
     if (contains(field.range, number))
@@ -71,6 +113,7 @@ void checkValue(const Field& field, const FieldValue& value, const std::string& 
     if (!isFinite(value))
         return report.error(pointer, inQuotes(field.key) + " contains a number that is not finite",
                             "Give a finite number");
+    checkMagnitude(field, value, pointer, report);
     if (const auto* number = std::get_if<double>(&value))
         checkRange(field, *number, pointer, report);
     if (const auto* place = std::get_if<BoltPlace>(&value); place && !place->head)

@@ -167,7 +167,8 @@ void checkVelocity(const InitialVelocity& velocity, std::size_t entry, std::size
 void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& report) {
     if (stage.kind == StageKind::Static)
         return;
-    if (stage.duration == 0.0)
+    constexpr double leastDuration = 1e-20;  // [s]; no time step fits into less
+    if (stage.duration >= 0.0 && stage.duration < leastDuration)
         report.error(under(pointer, "duration"), "a dynamic stage needs a duration", "Give a duration in seconds, above 0");
     else if (stage.timeStep && *stage.timeStep > stage.duration)
         report.warning(under(pointer, "time_step"), "the time step is longer than the stage",

@@ -139,6 +139,28 @@ TEST(CheckScene, RefusesNumbersThatNoSolidCanHave) {
     expectProblem([](Scene& s) { s.analysis.gravity.y() = -1e300; }, "/analysis/gravity", error);
 }
 
+/// Bounds that hold for every number, whatever its field.
+TEST(CheckScene, RefusesNumbersFarBeyondAnyQuantity) {
+    const auto error = Severity::Error;
+    for (const double bad : {1e308, 5e-324}) {
+        const auto dynamic = [&](auto change) {
+            return [=](Scene& s) {
+                s.stages[0].kind = StageKind::Dynamic;
+                s.stages[0].duration = 1.0;
+                change(s.stages[0]);
+            };
+        };
+        expectProblem(dynamic([=](Stage& s) { s.duration = bad; }), "/stages/0/duration", error);
+        expectProblem(dynamic([=](Stage& s) { s.timeStep = bad; }), "/stages/0/time_step", error);
+    }
+    expectProblem(
+        [](Scene& s) {
+            s.stages[0].motions[0].table = {{0, 0}, {1, 1e308}};
+        },
+        "/stages/0/motions/0/table", error);
+    expectProblem([](Scene& s) { s.bolts[0].pretension = 1e200; }, "/bolts/0/pretension", error);
+}
+
 TEST(CheckScene, WarnsOfRockUnderTensionInSitu) {
     const auto warning = Severity::Warning;
     expectProblem([](Scene& s) { s.inSituStress = InSituStress{5e6, -5e6, 0.0, {}, 0.0}; }, "/in_situ_stress/sxx", warning);
