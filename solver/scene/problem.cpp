@@ -4,6 +4,7 @@
 // The only place where a problem is formatted as a line of text.
 #include "solver/scene/problem.h"
 
+#include "solver/scene/suggest.h"
 #include "solver/scene/visible_text.h"
 
 #include <algorithm>
@@ -38,14 +39,29 @@ std::string_view wordOf(Severity severity) {
     return {};
 }
 
+namespace {
+
+/// The pointer with long keys shortened.
+std::string shortPointer(std::string_view pointer) {
+    std::string text;
+    for (std::size_t from = 1; from <= pointer.size();) {
+        const std::size_t end = std::min(pointer.find('/', from), pointer.size());
+        const std::string key = inQuotes(pointer.substr(from, end - from));
+        text += "/" + key.substr(1, key.size() - 2);
+        from = end + 1;
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string oneLine(const Problem& problem) {
     std::string text = problem.file;
     if (problem.line > 0)
         text += ":" + std::to_string(problem.line);
     text += text.empty() ? "" : ": ";
     text += std::string(wordOf(problem.severity)) + ": ";
-    if (!problem.pointer.empty())
-        text += problem.pointer + ": ";
+    if (!problem.pointer.empty()) text += shortPointer(problem.pointer) + ": ";
     text += problem.message;
     if (!problem.remedy.empty())
         text += ". " + problem.remedy;

@@ -24,6 +24,7 @@ namespace keyblock {
 
 namespace {
 
+constexpr std::size_t longestKey = 100000;  // bytes
 constexpr std::size_t longestDetail = 160;  // of the parser's message, in characters
 
 // Records in `reached` how far the parser has read.
@@ -112,7 +113,10 @@ public:
     bool number_integer(number_integer_t value) override { return leaf(static_cast<double>(value)); }
     bool number_unsigned(number_unsigned_t value) override { return leaf(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t&) override { return leaf(value); }
-    bool string(string_t& value) override { return leaf(std::move(value)); }
+    bool string(string_t& value) override {
+        refuseZeros(value);
+        return leaf(std::move(value));
+    }
     bool binary(binary_t&) override { return false; }  // does not occur in a text
     bool start_object(std::size_t) override { return open(JsonObject{}); }
     bool start_array(std::size_t) override { return open(JsonList{}); }
@@ -126,6 +130,12 @@ public:
         return true;
     }
     bool key(string_t& value) override {
+        refuseZeros(value);
+        if (value.size() > longestKey) {  // each pointer to what is below would be as long
+            fail("the key " + inQuotes(value) + " is longer than " + std::to_string(longestKey) + " bytes",
+                 "Shorten it");
+            return false;
+        }
         open_.back().key = std::move(value);
         return true;
     }
@@ -182,6 +192,13 @@ private:
     void fail(std::string message, std::string remedy) {
         failed_ = true;
         addProblem(problems_, {Severity::Error, "", line(), pointer(), std::move(message), std::move(remedy)});
+    }
+
+    /// Reports and removes zero characters, at which other programs end a text.
+    void refuseZeros(std::string& text) {
+        if (std::erase(text, '\0') > 0)
+            addProblem(problems_, {Severity::Error, "", line(), pointer(),
+                                   "the text " + inQuotes(text) + " contains a zero character (\\u0000)", "Remove it"});
     }
 
     template <typename Value>
@@ -272,6 +289,17 @@ JsonReading refused(std::string message, std::string remedy) {
     return {{}, {{Severity::Error, "", 1, "", std::move(message), std::move(remedy)}}};
 }
 
+/// `UTF-16` or `UTF-32` if the text is in one of these, with or without a byte order mark. JSON begins with two
+/// characters of ASCII, so zeros among the first four bytes show it (RFC 4627, section 3).
+std::string_view otherEncoding(std::string_view text) {
+    const std::string start = std::string(text.substr(0, 4)) + std::string(4, ' ');
+    const auto zero = [&](std::size_t at) { return start[at] == '\0'; };
+    if (zero(0) && zero(1) && zero(2) && zero(3)) return "";  // no text at all
+    if ((zero(0) && zero(1)) || (zero(2) && zero(3))) return "UTF-32";
+    const bool marked = text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE");
+    return marked || zero(0) || zero(1) ? "UTF-16" : "";
+}
+
 const JsonNode* step(const JsonNode& node, const std::string& token) {
     if (const auto* list = std::get_if<JsonList>(&node.value)) {
         std::size_t index = list->size();
@@ -299,8 +327,8 @@ JsonReading readJson(std::string_view text) {
         return refused("the text is longer than " + std::to_string(longestJson >> 20) + " MB", "Split the scene");
     if (text.starts_with("\xEF\xBB\xBF"))
         return refused("the text begins with a byte order mark", "Save the file as UTF-8 without one");
-    if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE"))
-        return refused("the text is UTF-16", "Save the file as UTF-8");
+    if (const std::string_view encoding = otherEncoding(text); !encoding.empty())
+        return refused("the text is " + std::string(encoding), "Save the file as UTF-8");
     const char* reached = text.data();
     TreeBuilder builder(text, &reached);
     nlohmann::json::sax_parse(TellingIterator(text.data(), &reached),

@@ -53,6 +53,38 @@ TEST(JsonTree, ProblemsArePlainTextWhateverTheBytes) {
     }
 }
 
+TEST(JsonTree, NamesTheEncodingOfATextThatIsNotUtf8) {
+    const auto message = [](std::string_view bytes) { return readJson(bytes).problems.at(0).message; };
+    using namespace std::string_view_literals;
+    for (const std::string_view text : {"\xFF\xFE{\0"sv, "\xFE\xFF\0{"sv, "{\0\n\0"sv, "\0{\0\n"sv, "{\0\"\0a\0"sv})
+        EXPECT_EQ(message(text), "the text is UTF-16");
+    for (const std::string_view text : {"\xFF\xFE\0\0{\0\0\0"sv, "\0\0\xFE\xFF\0\0\0{"sv, "{\0\0\0"sv, "\0\0\0{"sv})
+        EXPECT_EQ(message(text), "the text is UTF-32");
+    EXPECT_TRUE(readJson("{}").root);
+}
+
+TEST(JsonTree, RefusesZeroCharacters) {
+    const JsonReading reading = readJson(R"({"title": "a\u0000b", "k\u0000": 1})");
+    ASSERT_EQ(reading.problems.size(), 2u);
+    EXPECT_EQ(reading.problems[0].pointer, "/title");
+    for (const Problem& problem : reading.problems) {
+        EXPECT_NE(problem.message.find("zero character (\\u0000)"), std::string::npos) << problem.message;
+        EXPECT_EQ(oneLine(problem).find('\0'), std::string::npos);
+    }
+}
+
+TEST(JsonTree, LongKeysAreShortenedInMessages) {
+    const std::string key(90000, 'x'), tooLong(200000, 'y');
+    const JsonReading twice = readJson("{\"" + key + "\": 1, \"" + key + "\": 2}");
+    ASSERT_EQ(twice.problems.size(), 1u);
+    EXPECT_LT(oneLine(twice.problems[0]).size(), 300u);
+    EXPECT_NE(oneLine(twice.problems[0]).find("error: /xxx"), std::string::npos) << oneLine(twice.problems[0]);
+    const JsonReading refused = readJson("{\"" + tooLong + "\": {\"a\": 1}}");
+    EXPECT_FALSE(refused.root);
+    ASSERT_EQ(refused.problems.size(), 1u);
+    EXPECT_LT(oneLine(refused.problems[0]).size(), 300u);
+}
+
 TEST(JsonTree, AcceptsSixtyFourLevelsAndNoMore) {
     EXPECT_TRUE(readJson(std::string(64, '[') + std::string(64, ']')).root);
     EXPECT_FALSE(readJson(std::string(65, '[') + std::string(65, ']')).root);
