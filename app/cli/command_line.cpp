@@ -350,8 +350,10 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     app.set_version_flag("--version", "keyblock " + std::string(programVersion()), "Print the version");
     app.set_help_flag("--help,-h", "Print this help");
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 a verification failed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
-               "5 limit reached, 6 cannot write, 70 internal, 75 interrupted.");
+    app.footer(
+        "Exit codes: 0 done, 1 a verification failed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
+        "5 limit reached, 6 cannot write, 8 not stable (only with --fail-on-collapse), 70 internal,\n"
+        "75 interrupted (run, safety and animations, which keep their results; a signal ends other commands at once).");
     addRun(app, options.run);
     addCheck(app, options.check);
     addInfo(app, options.info);

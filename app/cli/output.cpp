@@ -8,6 +8,7 @@
 #include "solver/scene/visible_text.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -66,6 +67,11 @@ void printErrorLine(std::string_view message) { writeToError("error: " + visible
 void replaceErrorLine(std::string_view text) { writeToError("\r\033[K" + visibleText(text)); }
 
 int outputFailure() { return firstFailure == EPIPE ? 0 : firstFailure; }
+
+bool readerIsGone() {
+    pollfd output{STDOUT_FILENO, 0, 0};
+    return firstFailure == EPIPE || (::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0);
+}
 
 bool errorIsTerminal() { return ::isatty(STDERR_FILENO) == 1; }
 

@@ -37,6 +37,9 @@ void replaceErrorLine(std::string_view text);
 /// to a closed pipe.
 int outputFailure();
 
+/// True if the reader of standard output has closed its pipe, so that nobody receives what a command would compute.
+bool readerIsGone();
+
 /// True if standard error is a terminal.
 bool errorIsTerminal();
 

@@ -86,6 +86,7 @@ ExitCode verdict(const Results& results) {
 std::vector<CaseResult> resultsOfAll(const std::vector<Case>& chosen, bool quiet) {
     std::vector<CaseResult> all;
     for (const Case& one : chosen) {
+        if (readerIsGone()) break;
         if (!quiet)
             print(one.name + ": " + one.description + "\n");
         for (const CaseResult& result : resultsOf(one)) {

@@ -5,6 +5,9 @@
 // verb explains itself.
 #include "tests/cli/command_line_fixture.h"
 
+#include <chrono>
+#include <cstdlib>
+
 namespace keyblock::test {
 namespace {
 
@@ -64,6 +67,14 @@ TEST_F(Usage, WrongOptionsAreReported) {
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
     expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");
     expectUsageError({"bolts", "toothpick"}, "rebar-20");
+}
+
+/// The verification takes minutes.
+TEST_F(Usage, VerifyEndsWhenItsReaderHasGone) {
+    const auto begun = std::chrono::steady_clock::now();
+    const std::string words = "{ sleep 0.2; '" KEYBLOCK_PROGRAM "' verify; } | true";
+    EXPECT_EQ(std::system(words.c_str()), 0);
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(10));
 }
 
 }  // namespace
