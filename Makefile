@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills asan tsan bench bench-compare fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips asan tsan bench bench-compare fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -21,6 +21,8 @@ help:
 	@echo "make drifts run random drifts and check the verdicts against the tables of results, SEED=7 or SEED=1-200"
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
+	@echo "make mutations  resume runs from two thousand checkpoints changed at random, with the address sanitizer"
+	@echo "make flips  read a run store with two hundred single flipped bits by every command; none may show other numbers"
 	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
 	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
 	@echo "make bench  measure time and memory of typical work; BENCH_JSON=FILE keeps the times of steps, LARGE=1 adds 5,000 blocks and more"
@@ -110,6 +112,17 @@ kills: packages
 	@if [ -x build/dev/keyblock-studio ]; then \
 	    sh resources/install/debian.sh readers desktop; \
 	    /usr/bin/python3 tests/e2e/kills.py build/dev/keyblock-studio build/dev/keyblock samples 30; fi
+
+mutations:
+	@sh resources/install/debian.sh readers
+	@cmake --preset asan --log-level=WARNING
+	@cmake --build --preset asan --target solver_tests
+	KEYBLOCK_MUTATIONS=$(or $(COUNT),2000) build/asan/tests/solver_tests --gtest_filter='CheckpointCheck.*AtRandom'
+
+flips: packages
+	$(call build,release)
+	build/release/keyblock run samples/drop-d-bolt.json --overwrite --out build/release/flips.kbrun
+	/usr/bin/python3 tests/flips/flips.py build/release/keyblock build/release/flips.kbrun --flips $(or $(COUNT),200)
 
 asan tsan:
 	@sh resources/install/debian.sh readers
