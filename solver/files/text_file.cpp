@@ -3,6 +3,7 @@
 #include "solver/files/text_file.h"
 
 #include "solver/files/read_error.h"
+#include "solver/files/regular_file.h"
 
 #include <algorithm>
 #include <array>
@@ -24,12 +25,9 @@ constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
 }
 
 void requireRegularFile(const fs::path& path, const std::string& remedy) {
+    if (const std::string special = specialFileAt(path); !special.empty()) refuseFile(path, "it is " + special, remedy);
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_regular_file(status)) return;
-    if (fs::is_directory(status)) refuseFile(path, std::strerror(EISDIR), remedy);
-    if (fs::exists(status)) refuseFile(path, "it is a device or a pipe, not a file", remedy);
-    refuseFile(path, std::strerror(error ? error.value() : ENOENT), remedy);
+    if (!fs::exists(path, error)) refuseFile(path, std::strerror(error ? error.value() : ENOENT), remedy);
 }
 
 }  // namespace
