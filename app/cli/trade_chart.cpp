@@ -26,8 +26,9 @@ void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesyst
     for (std::size_t i = 0; i < trade.points.size(); ++i) {
         if (static_cast<int>(i) == trade.reference && i != 0) continue;
         const TradePoint& point = trade.points[i];
+        const bool onFront = isOnFront(trade, i);
         chart.dots.push_back({point.seconds, largestError(point, reference, trade.quantities), point.axis, nameOf(point),
-                              isOnFront(trade, i)});
+                              onFront, onFront || i == 0});
     }
     try {
         const std::string bytes = paintTrade(chart, PaperFormat::Svg);

@@ -13,7 +13,8 @@ namespace keyblock {
 namespace {
 
 constexpr std::array combinedErrors{0.1, 0.03, 0.01, 0.003};  // largest error of a combination, shared among its settings
-constexpr double sameTime = 0.9, sameWork = 0.98;  // ratios from which a run is not cheaper
+// ratios from which a run is not cheaper: of work, of time with less work, and of time alone
+constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 
 class Measuring {
 public:
@@ -121,7 +122,7 @@ private:
     static bool isCheaper(const TradePoint& point, const TradePoint& own) {
         const bool timeAlone = point.axis == sleepAxisName || point.axis == threadsAxisName;
         const bool less = workOf(point.work) < sameWork * workOf(own.work) || point.unknowns < own.unknowns;
-        return point.seconds < sameTime * own.seconds && (less || timeAlone);
+        return less ? point.seconds < sameTime * own.seconds : timeAlone && point.seconds < otherTime * own.seconds;
     }
 
     /// The fastest setting of an axis that changes no quantity of the scene's own settings by more than `error`; null

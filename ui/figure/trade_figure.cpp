@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/trade_figure.h"
 
-#include "ui/figure/chart_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/ticks.h"
@@ -19,7 +18,7 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double chartHeight = 82.0, axisRoom = 10.0, leftRoom = 11.0, keyRoom = 34.0;  // [mm]
+constexpr double chartHeight = 82.0, titleRoom = 5.0, axisRoom = 10.0, leftRoom = 11.0, keyRoom = 34.0;  // [mm]
 constexpr double dot = 0.75, frontDot = 1.05, keyRow = 3.6, nameGap = 1.6, nameHeight = 2.2;  // [mm]
 constexpr double leastError = 1e-7;  // smaller errors are round-off; they are drawn at the lower edge
 
@@ -53,8 +52,8 @@ std::string tickText(double value) {
 class TradePainter {
 public:
     TradePainter(const TradeChart& chart, const Sheet& sheet)
-        : chart_(chart), left_(margin + leftRoom), right_(sheet.width() - margin - keyRoom), top_(sheet.top()),
-          bottom_(sheet.top() + chartHeight), time_(timeAxis()), error_(errorAxis()) {
+        : chart_(chart), left_(margin + leftRoom), right_(sheet.width() - margin - keyRoom), top_(sheet.top() + titleRoom),
+          bottom_(top_ + chartHeight), time_(timeAxis()), error_(errorAxis()) {
         for (const TradeDot& d : chart.dots)
             if (std::isfinite(d.error) && !std::count(axes_.begin(), axes_.end(), d.axis)) axes_.push_back(d.axis);
     }
@@ -66,7 +65,7 @@ public:
             for (const TradeDot& d : chart_.dots)
                 if (std::isfinite(d.error) && d.onFront == front) drawDot(ink, d);
         for (const TradeDot& d : chart_.dots)
-            if (std::isfinite(d.error) && d.onFront) drawName(ink, d);
+            if (std::isfinite(d.error) && d.isNamed) drawName(ink, d);
         drawKey(ink);
     }
 
@@ -101,10 +100,9 @@ private:
     }
 
     Colour colourOf(const std::string& axis) const {
-        const ChartTheme& theme = paperChartTheme();
-        const std::array colours{theme.text,          theme.main,          theme.second,        theme.third,
-                                 theme.fourth,        theme.references[0], theme.references[1], theme.references[2],
-                                 theme.references[3], theme.event,         theme.limit};
+        static constexpr std::array colours{rgb(0x000000), rgb(0x3A3FA8), rgb(0xC2410C), rgb(0x1B8A5A),
+                                            rgb(0xE69F00), rgb(0x56B4E9), rgb(0x8C564B), rgb(0xCC79A7),
+                                            rgb(0x6B747E), rgb(0x0E7C86), rgb(0xA8338F)};
         const auto place = std::find(axes_.begin(), axes_.end(), axis) - axes_.begin();
         return colours[static_cast<std::size_t>(place) % colours.size()];
     }
@@ -183,7 +181,7 @@ private:
 
 std::string paintTrade(const TradeChart& chart, PaperFormat format, double width) {
     const Sheet sheet(width, chart.title, chart.subtitle, {});
-    const double height = std::ceil(sheet.heightAround(chartHeight + axisRoom));
+    const double height = std::ceil(sheet.heightAround(titleRoom + chartHeight + axisRoom));
     Paper paper(format, width, height, 300, chart.title);
     Ink ink(paper.painter());
     sheet.draw(ink, height, chart.foot);

@@ -16,8 +16,9 @@ namespace keyblock {
 struct TradeDot {
     double seconds = 0.0;
     double error = 0.0;  // a share, as in 0.03; 0: drawn at the lower edge
-    std::string axis, name;  // dots of one axis have one colour; the name is written beside dots of the front
+    std::string axis, name;  // dots of one axis have one colour
     bool onFront = false;
+    bool isNamed = false;  // the name is written beside the dot
 };
 
 struct TradeChart {
