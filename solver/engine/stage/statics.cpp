@@ -359,7 +359,9 @@ private:
     /// Releases only the limit that is exceeded most; the others are checked at the equilibrium after its release.
     StepEnding releaseOne() {
         const std::vector<Limit> limits = heldLimits(engine_.model, state_);
-        const Limit released = worstLimit(limits, progress_.least).value();
+        const std::optional<Limit> worst = worstLimit(limits, progress_.least);
+        if (!worst) return {};  // in a checkpoint that was changed
+        const Limit& released = *worst;
         noteCauses(limits);
         progress_.least = 1.0 - tieShare;
         progress_.solves = 0;
