@@ -246,14 +246,17 @@ void addSafety(CLI::App& app, SafetyOptions& options) {
 }
 
 void addTrade(CLI::App& app, TradeOptions& options) {
-    CLI::App* verb = app.add_subcommand("trade", "Measure what the numerical settings of a scene cost and what they "
-                                                 "change, and recommend some");
-    verb->add_option("SCENE.json", options.scene, "The scene; its 'quantities' are compared, or some that are chosen from "
-                                                  "its results")
+    CLI::App* verb = app.add_subcommand("trade",
+                                        "Measure what the numerical settings of a scene cost and what they "
+                                        "change, and recommend some");
+    verb->add_option("SCENE.json", options.scene,
+                     "The scene; its 'quantities' are compared, or some that are chosen from "
+                     "its results")
         ->required()
         ->type_name("");
-    verb->add_option("--out", options.out, "The folder for the table, the page and the chart; an interrupted trade "
-                                           "continues there")
+    verb->add_option("--out", options.out,
+                     "The folder for the table, the page and the chart; an interrupted trade "
+                     "continues there")
         ->required()
         ->type_name("DIR");
     verb->add_option("--budget", options.budget, "Leave out runs that would exceed this time for all runs together")
@@ -334,8 +337,7 @@ Command commandOf(const CLI::App& app, const Options& options) {
         return options.imported;
     if (verb == "safety")
         return options.safety;
-    if (verb == "trade")
-        return options.trade;
+    if (verb == "trade") return options.trade;
     if (verb == "verify")
         return options.verify;
     return options.bolts;

@@ -77,8 +77,8 @@ std::string quantityTable(const RecordedRun& run) {
     std::vector<TextRow> rows;
     for (const std::string& text : run.scene.quantities) {
         const Measurement measurement = measure(text, run);
-        const std::string remark =
-            measurement.order.empty() ? measurement.problem : orderText(measurement.order, mostInOrder);
+        const std::string remark = measurement.order.empty() ? measurement.problem
+                                                             : orderText(measurement.order, mostInOrder);
         rows.push_back({text, measuredText(measurement), remark});
     }
     return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value (SI)", Align::Right}, {""}}, rows);
@@ -116,7 +116,8 @@ TextRow expectedRow(const MeasuredComparison& comparison, bool whole) {
 std::string expectedTable(const RecordedRun& run, const std::vector<StageRecord>& records) {
     const bool whole = isWhole(records);
     std::vector<TextRow> rows;
-    for (const Expected& expected : run.scene.about.expected) rows.push_back(expectedRow(compare(expected, run), whole));
+    for (const Expected& expected : run.scene.about.expected)
+        rows.push_back(expectedRow(compare(expected, run), whole));
     if (rows.empty())
         return {};
     return "\n" + textTable({{"expected by the scene"},

@@ -20,15 +20,17 @@ void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesyst
     const TradePoint& reference = trade.points[trade.reference];
     TradeChart chart;
     chart.title = "Accuracy and time: " + (scene.title.empty() ? "untitled scene" : scene.title);
-    chart.subtitle = "Each dot is a run; its error is the largest of all quantities of interest, against the run with the "
-                     "finest settings (" + rounded(reference.seconds) + " s).";
+    chart.subtitle =
+        "Each dot is a run; its error is the largest of all quantities of interest, against the run with the "
+        "finest settings (" +
+        rounded(reference.seconds) + " s).";
     chart.foot = "Keyblock · keyblock trade";
     for (std::size_t i = 0; i < trade.points.size(); ++i) {
         if (static_cast<int>(i) == trade.reference && i != 0) continue;
         const TradePoint& point = trade.points[i];
         const bool onFront = isOnFront(trade, i);
-        chart.dots.push_back({point.seconds, largestError(point, reference, trade.quantities), point.axis, nameOf(point),
-                              onFront, onFront || i == 0});
+        chart.dots.push_back({point.seconds, largestError(point, reference, trade.quantities), point.axis,
+                              nameOf(point), onFront, onFront || i == 0});
     }
     try {
         const std::string bytes = paintTrade(chart, PaperFormat::Svg);

@@ -22,7 +22,8 @@ namespace keyblock::cli {
 
 namespace {
 
-const std::vector<TextColumn> pointColumns{{"settings", Align::Left, 44}, {"time, s", Align::Right, 9}, {"work", Align::Right, 9}, {""}};
+const std::vector<TextColumn> pointColumns{
+    {"settings", Align::Left, 44}, {"time, s", Align::Right, 9}, {"work", Align::Right, 9}, {""}};
 
 /// The scene if it can be run. Otherwise prints the reasons on standard error.
 std::optional<SceneReading> runnableScene(const TradeOptions& options) {
@@ -38,7 +39,8 @@ std::optional<SceneReading> runnableScene(const TradeOptions& options) {
 }
 
 void printPoint(const TradePoint& point) {
-    print(textLine(pointColumns, {nameOf(point), shownSeconds(point.seconds), shown(workOf(point.work)), point.failure}));
+    print(
+        textLine(pointColumns, {nameOf(point), shownSeconds(point.seconds), shown(workOf(point.work)), point.failure}));
 }
 
 void printLeftOut(const Trade& trade) {
@@ -63,7 +65,8 @@ ExitCode perform(const TradeOptions& options) {
     const Scene& scene = *read->scene;
     TradeFolder folder(options.out, scene);
     if (folder.knownPoints() > 0)
-        print(std::to_string(folder.knownPoints()) + " runs of this trade are in " + options.out.string() + " already\n");
+        print(std::to_string(folder.knownPoints()) + " runs of this trade are in " + options.out.string() +
+              " already\n");
     print(textLine(pointColumns, {"settings", "time, s", "work", ""}));
     Control control;
     const StopSignals signals(control.stop);

@@ -57,8 +57,7 @@ HistoryColumns historyColumns(const Scene& scene) {
 }
 
 int historyColumn(const Scene& scene, const Subject& subject) {
-    if (subject.monitor >= 0)
-        return firstColumnOf(scene, subject.monitor) + subject.component % magnitude;
+    if (subject.monitor >= 0) return firstColumnOf(scene, subject.monitor) + subject.component % magnitude;
     const int monitorValues = firstColumnOf(scene, static_cast<int>(scene.monitors.size()));
     return monitorValues + subject.bolt * static_cast<int>(boltQuantityRows.size()) +
            static_cast<int>(subject.boltQuantity);

@@ -25,8 +25,7 @@ Measurement reduced(const Quantity& quantity, const RecordedRun& run) {
     const int column = historyColumn(run.scene, quantity.subject);
     std::vector<double> values;
     for (const HistoryRow& row : run.history)
-        if (const double value = valueIn(row, quantity.subject, column); !std::isnan(value))
-            values.push_back(value);
+        if (const double value = valueIn(row, quantity.subject, column); !std::isnan(value)) values.push_back(value);
     if (values.empty())
         return problem("the run has no value of it");
     switch (quantity.kind) {
@@ -38,12 +37,13 @@ Measurement reduced(const Quantity& quantity, const RecordedRun& run) {
 
 Measurement atFirst(const Quantity& quantity, const RecordedRun& run) {
     const auto kind = static_cast<EventKind>(quantity.eventKind);
-    const auto found = std::find_if(run.events.begin(), run.events.end(), [&](const Event& e) { return e.kind == kind; });
-    if (found == run.events.end())
-        return problem("no " + std::string(rowOf(kind).key) + " happened");
+    const auto found = std::find_if(run.events.begin(), run.events.end(),
+                                    [&](const Event& e) { return e.kind == kind; });
+    if (found == run.events.end()) return problem("no " + std::string(rowOf(kind).key) + " happened");
     if (found->historyRow < 0 || static_cast<std::size_t>(found->historyRow) >= run.history.size())
         return problem("the history has no row before the event");
-    return {valueIn(run.history[found->historyRow], quantity.subject, historyColumn(run.scene, quantity.subject)), "", {}};
+    return {
+        valueIn(run.history[found->historyRow], quantity.subject, historyColumn(run.scene, quantity.subject)), "", {}};
 }
 
 /// What an event happened to: a place on a bolt, a joint between two blocks, or a block.
@@ -67,7 +67,8 @@ Measurement orderOf(EventKind kind, const RecordedRun& run) {
 }
 
 Measurement countOf(EventKind kind, const RecordedRun& run) {
-    const auto count = std::count_if(run.events.begin(), run.events.end(), [&](const Event& e) { return e.kind == kind; });
+    const auto count = std::count_if(run.events.begin(), run.events.end(),
+                                     [&](const Event& e) { return e.kind == kind; });
     return {static_cast<double>(count), "", {}};
 }
 

@@ -30,26 +30,30 @@ const Structure& sceneStructure() {
             row<&Scene::jointMaterials>("joint_materials",
                                         "Strength of joints, by name. Blocks that name none take the first; without "
                                         "any, joints have 30° of friction."),
-            row<&Scene::domain>("domain", "A region that joints, joint sets, Voronoi cells and tunnels cut into blocks."),
+            row<&Scene::domain>("domain",
+                                "A region that joints, joint sets, Voronoi cells and tunnels cut into blocks."),
             row<&Scene::cutting>("cutting", "Limits of the cut."),
             row<&Scene::joints>("joints", "Single joints."),
             row<&Scene::jointSets>("joint_sets", "Joint sets."),
             row<&Scene::voronoi>("voronoi", "Voronoi cells; null: none."),
             row<&Scene::regions>("regions", "Parts of the section that joint sets and Voronoi cells refer to."),
             row<&Scene::tunnels>("tunnels", "Openings in the domain."),
-            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain and "
-                                          "may lie in tunnels that no stage excavates, but must not overlap. The "
-                                          "blocks of the domain are numbered after them: a block without a name is "
-                                          "called `b` followed by its number among all blocks."),
+            row<&Scene::blocks>("blocks",
+                                "Blocks given by their corners. They may touch each other and the domain and "
+                                "may lie in tunnels that no stage excavates, but must not overlap. The "
+                                "blocks of the domain are numbered after them: a block without a name is "
+                                "called `b` followed by its number among all blocks."),
             row<&Scene::supports>("supports", "Fixed blocks, points and sides of the domain."),
             row<&Scene::inSituStress>("in_situ_stress", "Stress before excavation; null: none.",
                                       {.label = translatable("Fields", "In-situ stress")}),
-            row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, in addition to the built-in "
-                                                 "types."),
+            row<&Scene::boltTypes>("bolt_types",
+                                   "Bolt types of this scene, by name, in addition to the built-in "
+                                   "types."),
             row<&Scene::bolts>("bolts", "Single bolts."),
             row<&Scene::boltPatterns>("bolt_patterns", "Bolts round tunnels."),
-            row<&Scene::stages>("stages", "Stages of the run, in order; a scene without stages can be checked but not "
-                                          "run.",
+            row<&Scene::stages>("stages",
+                                "Stages of the run, in order; a scene without stages can be checked but not "
+                                "run.",
                                 {.isOrdered = true}),
             row<&Scene::monitors>("monitors", "Points and bolts whose values are recorded in the history."),
             row<&Scene::quantities>("quantities",

@@ -82,7 +82,8 @@ struct SubjectReading {
 SubjectReading wholeMonitor(int monitor, const Scene& scene) {
     const std::string& name = scene.monitors[monitor].name;
     if (monitorValueCount(scene.monitors[monitor]) > 1)
-        return {{}, "monitor '" + name + "' is a point: write '" + name + ".ux', '" + name + ".uy' or '" + name + ".u'"};
+        return {{},
+                "monitor '" + name + "' is a point: write '" + name + ".ux', '" + name + ".uy' or '" + name + ".u'"};
     return {Subject{.monitor = monitor}, ""};
 }
 
@@ -138,8 +139,10 @@ QuantityReading readQuantity(std::string_view text, const Scene& scene) {
     const auto first = std::find_if(firstWords.begin(), firstWords.end(),
                                     [&](const FirstWord& entry) { return entry.word == word; });
     if (first == firstWords.end())
-        return {{}, "a quantity starts with max, min, last, first, count or order, or is energy_error, factor_of_safety or "
-                    "stands; it does not start with '" + std::string(word) + "'"};
+        return {{},
+                "a quantity starts with max, min, last, first, count or order, or is energy_error, factor_of_safety or "
+                "stands; it does not start with '" +
+                    std::string(word) + "'"};
 
     Quantity quantity{.kind = first->kind};
     if (first->takesEvent) {
@@ -149,8 +152,7 @@ QuantityReading readQuantity(std::string_view text, const Scene& scene) {
             return {{}, "'" + std::string(kind) + "' is not a kind of event: write one of " + listedKeys(eventKinds)};
     }
     if (!first->takesSubject) {
-        if (!rest.empty())
-            return {{}, "'" + std::string(word) + "' takes no '" + std::string(rest) + "': omit it"};
+        if (!rest.empty()) return {{}, "'" + std::string(word) + "' takes no '" + std::string(rest) + "': omit it"};
         return {quantity, ""};
     }
     const SubjectReading subject = readSubject(rest, scene);

@@ -12,7 +12,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array combinedErrors{0.1, 0.03, 0.01, 0.003};  // largest error of a combination, shared among its settings
+constexpr std::array combinedErrors{0.1, 0.03, 0.01,
+                                    0.003};  // largest error of a combination, shared among its settings
 // ratios from which a run is not cheaper: of work, of time with less work, and of time alone
 constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 
@@ -45,7 +46,8 @@ private:
             take(std::move(*before));
             return true;
         }
-        if (const double expected = expectedSeconds(setting); settings_.budget && spent_ + expected > *settings_.budget) {
+        if (const double expected = expectedSeconds(setting);
+            settings_.budget && spent_ + expected > *settings_.budget) {
             trade_.leftOut.push_back({setting.axis, setting.text,
                                       "would take some " + rounded(expected) + " s, of which " +
                                           rounded(std::max(0.0, *settings_.budget - spent_)) + " s are left"});
@@ -70,7 +72,8 @@ private:
     std::string labelOf(const TradeSetting& setting) const {
         std::string text = "run " + std::to_string(done_) + " of " + std::to_string(std::max(done_, planned_));
         if (!trade_.points.empty())
-            text += ", some " + rounded(std::max(0.0, cost_ * trade_.points.front().seconds - spent_)) + " s left in all";
+            text += ", some " + rounded(std::max(0.0, cost_ * trade_.points.front().seconds - spent_)) +
+                    " s left in all";
         return text + ", " + setting.axis + (setting.text.empty() ? "" : " " + setting.text);
     }
 
@@ -97,7 +100,8 @@ private:
         std::vector<const TradeSetting*> settings;
         for (const TradeAxis& axis : axes_)
             for (const TradeSetting& setting : axis.settings) settings.push_back(&setting);
-        return std::all_of(settings.begin(), settings.end(), [&](const TradeSetting* setting) { return add(*setting); });
+        return std::all_of(settings.begin(), settings.end(),
+                           [&](const TradeSetting* setting) { return add(*setting); });
     }
 
     /// For each error that may be allowed, the cheapest setting of each axis that changes the results by no more than

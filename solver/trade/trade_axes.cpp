@@ -25,7 +25,8 @@ constexpr double costPerDecade = 1.25;  // of the tolerance
 constexpr double costOfMultipliers = 3.0, costOfAwake = 5.0;
 
 bool hasStage(const Scene& scene, StageKind kind) {
-    return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) { return stage.kind == kind; });
+    return std::any_of(scene.stages.begin(), scene.stages.end(),
+                       [&](const Stage& stage) { return stage.kind == kind; });
 }
 
 std::string at(const char* list, std::size_t i, const char* key, const std::string& value) {
@@ -76,8 +77,8 @@ TradeAxis timeStepAxis(const Scene& scene) {
         setting.apply = [factor](Scene& changed) {
             for (Stage& stage : changed.stages)
                 if (stage.kind == StageKind::Dynamic)
-                    stage.timeStep =
-                        std::min(factor * stage.timeStep.value_or(automaticTimeStep(stage)), stage.duration);
+                    stage.timeStep = std::min(factor * stage.timeStep.value_or(automaticTimeStep(stage)),
+                                              stage.duration);
         };
         axis.settings.push_back(std::move(setting));
     }
@@ -105,7 +106,8 @@ TradeAxis toleranceAxis(const Scene& scene) {
     TradeAxis axis{"tolerance", {}, own, true};
     for (const double value : tolerances) {
         if (value == own) continue;
-        TradeSetting setting = analysisSetting(axis.name, shortest(value), [value](Analysis& a) { a.tolerance = value; });
+        TradeSetting setting = analysisSetting(axis.name, shortest(value),
+                                               [value](Analysis& a) { a.tolerance = value; });
         setting.size = value;
         setting.cost = std::pow(costPerDecade, std::log10(own / value));
         axis.settings.push_back(std::move(setting));
@@ -118,8 +120,8 @@ TradeAxis penaltyAxis(const Scene& scene) {
     TradeAxis axis{"penalty_ratio", {}, 1.0, true};
     for (const double factor : penalties) {
         const double value = factor * own;
-        TradeSetting setting =
-            analysisSetting(axis.name, shortest(value), [value](Analysis& a) { a.penaltyRatio = value; });
+        TradeSetting setting = analysisSetting(axis.name, shortest(value),
+                                               [value](Analysis& a) { a.penaltyRatio = value; });
         setting.text = rounded(value);
         setting.size = 1.0 / factor;
         setting.cost = std::max(1.0, std::sqrt(factor));
@@ -132,7 +134,8 @@ TradeAxis contactAxis(const Scene& scene) {
     TradeAxis axis{"contact", {}, 0.0, false};
     for (const ContactMethod method : {ContactMethod::Penalty, ContactMethod::AugmentedLagrangian}) {
         if (method == scene.analysis.contact) continue;
-        axis.settings.push_back(analysisSetting(axis.name, word(method), [method](Analysis& a) { a.contact = method; }));
+        axis.settings.push_back(
+            analysisSetting(axis.name, word(method), [method](Analysis& a) { a.contact = method; }));
         if (method == ContactMethod::AugmentedLagrangian) axis.settings.back().cost = costOfMultipliers;
     }
     return axis;

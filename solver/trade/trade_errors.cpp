@@ -135,7 +135,8 @@ std::string nameOf(const TradePoint& point) {
 }
 
 std::string sentenceOn(const Trade& trade, std::size_t index) {
-    const TradePoint &point = trade.points[index], &own = trade.points.front(), &reference = trade.points[trade.reference];
+    const TradePoint &point = trade.points[index], &own = trade.points.front(),
+                     &reference = trade.points[trade.reference];
     std::string text = nameOf(point) + ": ";
     if (index != 0) {
         const double faster = own.seconds / point.seconds;
@@ -154,7 +155,8 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
                                   : ", " + rounded(100.0 * *error) + " % of the " + kind + " events in another order";
         } else if (here.value && *error > 0.0) {
             text += ", " + trade.quantities[q] + " " +
-                    (*there.value == 0.0 ? rounded(*here.value) + " instead of 0" : percent(signedError(*here.value, *there.value)));
+                    (*there.value == 0.0 ? rounded(*here.value) + " instead of 0"
+                                         : percent(signedError(*here.value, *there.value)));
         }
     }
     return text;

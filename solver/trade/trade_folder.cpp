@@ -5,6 +5,7 @@
 #include "solver/files/atomic_file.h"
 #include "solver/files/run_store/build_id.h"
 #include "solver/files/scene/scene_file.h"
+#include "solver/files/text_file.h"
 #include "solver/run/write_error.h"
 #include "solver/trade/trade_page.h"
 
@@ -12,7 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cstdint>
 #include <system_error>
 
 namespace keyblock {
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* pointsName = "points.json";
+constexpr std::uint64_t mostBytes = std::uint64_t{64} << 20;  // of this file
 constexpr std::array<std::string_view, 4> names{"points.json", "trade.csv", "trade.md", "trade.svg"};
 
 Json json(const Measurement& measurement) {
@@ -102,11 +104,11 @@ TradeFolder::TradeFolder(fs::path folder, const Scene& scene) : folder_(std::mov
     fs::create_directories(folder_, error);
     if (error || !fs::is_directory(folder_)) throw CannotWrite(cannotWriteText(folder_, error.value()));
     checkContents(folder_);
-    std::ifstream file(folder_ / pointsName, std::ios::binary);
-    if (!file) return;
+    if (!fs::exists(folder_ / pointsName)) return;
     const std::string shown = (folder_ / pointsName).string();
     try {
-        const Json json = Json::parse(file);
+        const Json json = Json::parse(
+            readTextFile(folder_ / pointsName, {mostBytes, "choose another folder", "choose another folder"}));
         if (json.at("scene_hash") != scene_)
             throw CannotWrite("cannot write " + folder_.string() +
                               ": it holds the trade of another scene; choose another folder");

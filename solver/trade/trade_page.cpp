@@ -20,9 +20,8 @@ constexpr double megabyte = 1024.0 * 1024.0;
 std::vector<std::size_t> byTime(const Trade& trade) {
     std::vector<std::size_t> order(trade.points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return trade.points[a].seconds < trade.points[b].seconds;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return trade.points[a].seconds < trade.points[b].seconds; });
     return order;
 }
 
@@ -64,8 +63,8 @@ std::string pointTable(const Trade& trade) {
     for (const std::size_t i : byTime(trade)) {
         const TradePoint& point = trade.points[i];
         const double error = largestError(point, trade.points[trade.reference], trade.quantities);
-        std::vector<std::string> cells{nameOf(point) + (isOnFront(trade, i) ? " **(front)**" : ""), rounded(point.seconds),
-                                       rounded(workOf(point.work)), percentText(error)};
+        std::vector<std::string> cells{nameOf(point) + (isOnFront(trade, i) ? " **(front)**" : ""),
+                                       rounded(point.seconds), rounded(workOf(point.work)), percentText(error)};
         for (std::size_t q = 0; q < trade.quantities.size(); ++q) cells.push_back(errorText(trade, point, q));
         text += row(cells);
     }
@@ -93,7 +92,10 @@ std::string orderTable(const Trade& trade) {
         }
         if (any) rows += row(cells);
     }
-    return rows.empty() ? "" : "\n## Order of convergence\n\nThe error falls with this power of the setting, judged by the three finest settings of each axis.\n\n" + head(titles) + rows;
+    if (rows.empty()) return {};
+    return "\n## Order of convergence\n\nThe error falls with this power of the setting, judged by the three finest "
+           "settings of each axis.\n\n" +
+           head(titles) + rows;
 }
 
 std::string failures(const Trade& trade) {
@@ -108,11 +110,10 @@ std::string failures(const Trade& trade) {
 std::string recommendation(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
     const std::string most = rounded(100.0 * recommendedError) + " %";
-    if (best < 0)
-        return "No settings give all quantities within " + most + " of the reference.\n";
+    if (best < 0) return "No settings give all quantities within " + most + " of the reference.\n";
     const TradePoint& point = trade.points[best];
-    std::string text = "**" + sentenceOn(trade, best) + ".**\n\nThese are the fastest settings with all quantities within " +
-                       most + " of the reference";
+    std::string text = "**" + sentenceOn(trade, best) +
+                       ".**\n\nThese are the fastest settings with all quantities within " + most + " of the reference";
     if (point.overrides.empty()) return text + ".\n";
     text += ":\n\n    keyblock run SCENE.json --set";
     for (const std::string& set : point.overrides) text += " " + set;
@@ -148,8 +149,7 @@ void writeTradeTable(const Trade& trade, const Scene& scene, std::ostream& out) 
             if (expected != scene.about.expected.end() && point.values[q].value)
                 csv.number(expected->value == 0.0 ? *point.values[q].value
                                                   : std::abs(*point.values[q].value / expected->value - 1.0));
-            else
-                csv.text("");
+            else csv.text("");
             csv.integer(point.work.solves);
             optional(point.memory > 0.0 ? std::optional(point.memory / megabyte) : std::nullopt);
             csv.integer(point.blocksMoved).endRow();
@@ -164,10 +164,12 @@ std::string tradePage(const Trade& trade, const Scene& scene) {
         return text + "The run with the scene's own settings has no result to compare with: " + own.failure + ".\n";
     if (trade.interrupted) text += "This trade was interrupted before all runs were made.\n\n";
     text += recommendation(trade) + "\n";
-    text += "Errors are differences from the run with the finest settings (" + nameOf(reference) + "; " +
-            rounded(reference.seconds) + " s). Work is in full factorizations of a thousand blocks, as in `info --json`. "
-            "On the front, no other settings are both faster and more accurate. All runs but those of *threads* use one "
-            "thread.\n";
+    text +=
+        "Errors are differences from the run with the finest settings (" + nameOf(reference) + "; " +
+        rounded(reference.seconds) +
+        " s). Work is in full factorizations of a thousand blocks, as in `info --json`. "
+        "On the front, no other settings are both faster and more accurate. All runs but those of *threads* use one "
+        "thread.\n";
     if (trade.proposed) text += "\nThe scene names no `quantities`; these were chosen from its results.\n";
     return text + "\n## Settings\n\n" + pointTable(trade) + orderTable(trade) + failures(trade);
 }

@@ -116,7 +116,8 @@ std::optional<TradePoint> measurePoint(const Scene& scene, const TradeSetting& s
     addWork(results, point);
     point.blocksMoved = blocksMoved(results);
     point.failure = failureOf(cut.scene, results);
-    if (quantities.empty()) quantities = scene.quantities.empty() ? proposedQuantities(cut.scene, results) : scene.quantities;
+    if (quantities.empty())
+        quantities = scene.quantities.empty() ? proposedQuantities(cut.scene, results) : scene.quantities;
     for (const std::string& quantity : quantities) point.values.push_back(measure(quantity, cut.scene, results));
     return point;
 }

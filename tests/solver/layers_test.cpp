@@ -93,8 +93,8 @@ const std::vector<Room> rooms{
     {"solver/files/csv", {"solver/files/text_encoding", "solver/scene"}},
     {"solver/files/scene",
      {"solver/files/json", "solver/files/csv", "solver/files/atomic_file", "solver/files/read_error",
-      "solver/files/regular_file", "solver/files/sha256", "solver/files/text_file", "solver/engine", "solver/results", "solver/scene",
-      "geometry"}},
+      "solver/files/regular_file", "solver/files/sha256", "solver/files/text_file", "solver/engine", "solver/results",
+      "solver/scene", "geometry"}},
     {"solver/files/drawing",
      {"solver/files/scene", "solver/files/csv", "solver/files/read_error", "solver/files/text_encoding",
       "solver/files/text_file", "solver/scene", "geometry"}},
@@ -146,8 +146,8 @@ const std::vector<Room> rooms{
       "solver/scene", "geometry"}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/figure", "ui/picture", "solver/trade", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results",
-      "solver/scene", "geometry"}},
+     {"ui/figure", "ui/picture", "solver/trade", "solver/verify", "solver/files", "solver/run", "solver/engine",
+      "solver/results", "solver/scene", "geometry"}},
 };
 
 bool liesIn(const std::string& path, const std::string& folder) {

@@ -36,7 +36,8 @@ public:
         const bool fine = high_ - low_ < 2.5;
         for (int decade = static_cast<int>(std::floor(low_)); decade <= high_; ++decade)
             for (const double factor : fine ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0})
-                if (const double value = factor * std::pow(10.0, decade); std::log10(value) >= low_ && std::log10(value) <= high_)
+                if (const double value = factor * std::pow(10.0, decade);
+                    std::log10(value) >= low_ && std::log10(value) <= high_)
                     values.push_back(value);
         return values;
     }
@@ -52,8 +53,8 @@ std::string tickText(double value) {
 class TradePainter {
 public:
     TradePainter(const TradeChart& chart, const Sheet& sheet)
-        : chart_(chart), left_(margin + leftRoom), right_(sheet.width() - margin - keyRoom), top_(sheet.top() + titleRoom),
-          bottom_(top_ + chartHeight), time_(timeAxis()), error_(errorAxis()) {
+        : chart_(chart), left_(margin + leftRoom), right_(sheet.width() - margin - keyRoom),
+          top_(sheet.top() + titleRoom), bottom_(top_ + chartHeight), time_(timeAxis()), error_(errorAxis()) {
         for (const TradeDot& d : chart.dots)
             if (std::isfinite(d.error) && !std::count(axes_.begin(), axes_.end(), d.axis)) axes_.push_back(d.axis);
     }
@@ -145,7 +146,8 @@ private:
         for (const double shift : {0.7, -2.0, 3.2, -4.4, 5.6}) {
             const double from = toRight ? at.x() + nameGap : at.x() - nameGap - width;
             const Box box{{from, at.y() + shift - nameHeight}, {from + width, at.y() + shift}};
-            if (box.max.y() > bottom_ + 0.8 || std::any_of(names_.begin(), names_.end(), [&](const Box& b) { return overlap(b, box); }))
+            if (box.max.y() > bottom_ + 0.8 ||
+                std::any_of(names_.begin(), names_.end(), [&](const Box& b) { return overlap(b, box); }))
                 continue;
             names_.push_back(box);
             ink.casedText({from, at.y() + shift}, name, text_style::body);

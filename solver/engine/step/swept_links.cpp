@@ -45,7 +45,8 @@ double weightOf(const StepProblem& problem, const Link& link) {
 
 }  // namespace
 
-SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(problem), links_(links), nodes_(problem, links) {
+SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links)
+    : problem_(problem), links_(links), nodes_(problem, links) {
     driven_ = Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding);
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[i]) driven_[i] = problem.value[i];

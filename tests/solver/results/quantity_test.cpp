@@ -98,7 +98,8 @@ TEST(Measure, CountsEventsAndTellsTheirOrder) {
     results.events.push_back(results.events.front());
     results.events.back().node = 0;
     const std::string bolt = scene.bolts[0].name;
-    EXPECT_EQ(measure("order debonding", scene, results).order, (std::vector<std::string>{bolt + " node 2", bolt + " node 1"}));
+    EXPECT_EQ(measure("order debonding", scene, results).order,
+              (std::vector<std::string>{bolt + " node 2", bolt + " node 1"}));
     EXPECT_EQ(measure("order joint-open", scene, results).order.size(), 1u);
     EXPECT_NE(measure("order collapse", scene, results).problem.find("no collapse"), std::string::npos);
 }

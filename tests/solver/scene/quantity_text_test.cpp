@@ -42,7 +42,8 @@ TEST(QuantityText, ReadsEveryForm) {
     expectQuantity("last crown.uy", {QuantityKind::Last, -1, {.monitor = 0, .component = 1}});
     expectQuantity(" min  crown.ux ", {QuantityKind::Min, -1, {.monitor = 0}});
     expectQuantity("first debonding joint force", {QuantityKind::First, 2, {.monitor = 1}});
-    expectQuantity("max B1.plate_force", {QuantityKind::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::PlateForce}});
+    expectQuantity("max B1.plate_force",
+                   {QuantityKind::Max, -1, {.bolt = 0, .boltQuantity = BoltQuantity::PlateForce}});
     expectQuantity("max B.2.strain", {QuantityKind::Max, -1, {.bolt = 1, .boltQuantity = BoltQuantity::Strain}});
     expectQuantity("max crown.u", {QuantityKind::Max, -1, {.monitor = 0, .component = 2}});
     expectQuantity("count debonding", {QuantityKind::Count, 2, {}});

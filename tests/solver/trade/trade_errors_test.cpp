@@ -84,7 +84,8 @@ TEST(ConvergenceOrder, IsNotGivenWhereValuesGoBackAndForth) {
 
 TEST(TradeFront, HasThePointsThatNoOtherBeats) {
     Trade trade = squareTrade();
-    trade.points.push_back(point("tolerance", 1e-3, 5.0, 12.0));  // slower and farther off than the scene's own settings
+    trade.points.push_back(
+        point("tolerance", 1e-3, 5.0, 12.0));  // slower and farther off than the scene's own settings
     EXPECT_TRUE(isOnFront(trade, 0));
     EXPECT_TRUE(isOnFront(trade, 2));
     EXPECT_TRUE(isOnFront(trade, 3));

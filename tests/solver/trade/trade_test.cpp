@@ -28,7 +28,8 @@ Scene slidingScene() {
 
 TradeSettings settingsWith(Control& control, int& runs, int most = 1000) {
     TradeSettings settings;
-    settings.run = [&control, &runs, most](const Scene& scene, const SceneCut& cut, int threads, const std::string&, Sink& sink) {
+    settings.run = [&control, &runs, most](const Scene& scene, const SceneCut& cut, int threads, const std::string&,
+                                           Sink& sink) {
         if (++runs > most) control.stop = true;
         run(scene, sink, control, {threads, &cut});
     };
@@ -91,8 +92,9 @@ TEST(Trade, GoesOnWhereItWasStopped) {
     EXPECT_EQ(second.points[3].seconds, first.points[3].seconds);
     EXPECT_EQ(second.points[3].values[0].value, first.points[3].values[0].value);
     const std::string table = test::contentOf(scratch.path() / "trade/trade.csv");
-    EXPECT_TRUE(table.starts_with("axis,setting,quantity,value,error,wall_s,steps,passes,factorizations,unknowns,on_front,"
-                                  "preset,order,expected_error,solves,memory_MB,blocks_moved\n"));
+    EXPECT_TRUE(
+        table.starts_with("axis,setting,quantity,value,error,wall_s,steps,passes,factorizations,unknowns,on_front,"
+                          "preset,order,expected_error,solves,memory_MB,blocks_moved\n"));
 }
 
 TEST(Trade, ProposesQuantitiesForASceneWithoutAny) {

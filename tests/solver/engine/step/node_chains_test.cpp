@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 namespace keyblock {
 namespace {
@@ -31,7 +32,8 @@ Bolt rebar(const char* name, Point farEnd, Point head) {
 /// Three boxes side by side; one bolt crosses them all, another one only the last joint.
 Model boltedModel() {
     Scene scene = emptyScene(10e9, 0.2, 30.0);
-    scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("middle", {1, 0}, {2, 1}), boxBlock("right", {2, 0}, {3, 1})};
+    scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("middle", {1, 0}, {2, 1}),
+                    boxBlock("right", {2, 0}, {3, 1})};
     scene.boltTypes = builtInBoltTypes();
     scene.bolts = {rebar("long", {0.2, 0.3}, {2.9, 0.4}), rebar("short", {1.6, 0.7}, {2.8, 0.9})};
     return makeModel(scene);
@@ -81,7 +83,8 @@ Eigen::VectorXd denseForce(const BoltedStep& step, const Eigen::VectorXd& v) {
         if (const Link& link = step.problem.links[i]; std::max(link.a, link.b) >= step.problem.blocks)
             step.rows->add(i, -link.law.share * step.trial.laws[i].force, force.data());
     const Eigen::VectorXd net = step.trial.net.segment(blocks, nodes);
-    const Eigen::MatrixXd own = stiffness.bottomRightCorner(nodes, nodes), coupling = stiffness.bottomLeftCorner(nodes, blocks);
+    const Eigen::MatrixXd own = stiffness.bottomRightCorner(nodes, nodes),
+                          coupling = stiffness.bottomLeftCorner(nodes, blocks);
     const Eigen::VectorXd u = own.partialPivLu().solve(net - coupling * v);
     return force.head(blocks) - stiffness.topLeftCorner(blocks, blocks) * v - coupling.transpose() * u;
 }

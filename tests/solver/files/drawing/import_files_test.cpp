@@ -214,7 +214,8 @@ TEST(ImportFiles, DevicesAndPipesAreNotOpened) {
     const test::ScratchFolder scratch;
     ASSERT_EQ(::mkfifo((scratch.path() / "pipe.csv").c_str(), 0600), 0);
     fs::create_symlink("/dev/zero", scratch.path() / "zero.dxf");
-    for (const auto& [name, what] : {std::pair("pipe.csv", "it is a named pipe"), std::pair("zero.dxf", "it is a device")})
+    for (const auto& [name, what] :
+         {std::pair("pipe.csv", "it is a named pipe"), std::pair("zero.dxf", "it is a device")})
         try {
             importFile(scratch.path() / name, {});
             FAIL() << name << " was read";
