@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <system_error>
 
 namespace keyblock {
 
@@ -26,8 +25,6 @@ constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
 
 void requireRegularFile(const fs::path& path, const std::string& remedy) {
     if (const std::string special = specialFileAt(path); !special.empty()) refuseFile(path, "it is " + special, remedy);
-    std::error_code error;
-    if (!fs::exists(path, error)) refuseFile(path, std::strerror(error ? error.value() : ENOENT), remedy);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void checkQuantity(const std::string& text, const std::string& pointer, CheckCon
     if (!reading.quantity && context.isCut)
         context.report.error(pointer, reading.problem,
                              "Write, for instance, \"max MONITOR\", \"last BOLT.axial_force\", \"first debonding "
-                             "MONITOR\", \"count debonding\" or \"stands\"");
+                             "MONITOR\" or \"count debonding\"");
 }
 
 /// An expected value is a number that one run gives.
@@ -99,7 +99,7 @@ void checkExpected(const Expected& expected, const std::string& pointer, CheckCo
                              "Expect a number of events, as in \"count debonding\"");
     if (reading.quantity && reading.quantity->kind == QuantityKind::FactorOfSafety)
         context.report.error(pointer, "a run does not give a factor of safety, so it cannot be expected",
-                             "Expect whether the scene is stable, \"stands\", with the value 1 or 0");
+                             "Expect the quantity 'stands' with the value 1 or 0");
 }
 
 }  // namespace

@@ -72,6 +72,11 @@ const std::vector<Exception> exceptions{
     {"app/cli/json_answers.cpp", "stands-at-1000", "value of \"answer\" in the JSON of keyblock safety"},
     {"app/cli/safety_folder.cpp", "stands", "column of safety.csv"},
     {"app/cli/safety_folder.cpp", "stands.kbrun", "name of a file in the folder of keyblock safety"},
+    {"solver/scene/check_watch.cpp", "quantity 'stands'", "a quantity of the scene format"},
+    {"solver/scene/field_rows.cpp", "`stands` (1 if", "a quantity of the scene format"},
+    {"solver/scene/quantity_text.cpp", "stands", "a quantity of the scene format"},
+    {"solver/scene/quantity_text.cpp", "factor_of_safety or stands;", "a quantity of the scene format"},
+    {"solver/trade/trade_point.cpp", "stands", "a quantity of the scene format"},
 };
 
 /// A text for users with the line of each of its characters.
@@ -303,7 +308,8 @@ std::vector<std::string> checkedFiles(const fs::path& root) {
                 files.push_back(entry.path().lexically_relative(root).generic_string());
     };
     addBelow("resources/help", {".md"});
-    for (const char* folder : {"ui", "app", "solver/scene", "solver/run", "solver/files", "solver/results"})
+    for (const char* folder :
+         {"ui", "app", "solver/scene", "solver/run", "solver/files", "solver/results", "solver/trade"})
         addBelow(folder, {".h", ".cpp"});
     std::ranges::sort(files);
     return files;

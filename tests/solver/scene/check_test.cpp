@@ -78,6 +78,16 @@ Repair repairAt(const std::string& pointer, const Scene& scene) {
     return {};
 }
 
+TEST(CheckScene, ExpectsOnlyNumbersThatARunGives) {
+    Scene scene = soundScene();
+    for (const char* quantity : {"order debonding", "factor_of_safety", "stands", "count debonding", "energy_error"})
+        scene.about.expected.push_back({quantity, 1.0, 0.0, "made up"});
+    std::vector<std::string> refused;
+    for (const Problem& problem : checkScene(scene))
+        if (problem.severity == Severity::Error) refused.push_back(problem.pointer);
+    EXPECT_EQ(refused, (std::vector<std::string>{"/about/expected/0/quantity", "/about/expected/1/quantity"}));
+}
+
 TEST(CheckScene, OffersRepairsThatNeedNoDecision) {
     Scene scene = soundScene();
     scene.blocks[1].name = "left";

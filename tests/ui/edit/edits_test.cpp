@@ -21,7 +21,8 @@ Scene drawn() {
     scene.stages[4].dilations.push_back({"fault", 1e-3, -1});
     scene.stages[4].set.push_back({"joint", 25.0, {}, {}, {}});
     scene.monitors.push_back({"B1 force", {}, {}, {1, 0}, "B1", BoltQuantity::AxialForce, {}, {}, {}});
-    scene.quantities = {"max B1.axial_force", "first debonding key", "last key.uy", "max roof.3.slip"};
+    scene.quantities = {"max B1.axial_force", "first debonding key", "last key.uy", "max roof.3.slip",
+                        "count debonding"};
     settle(scene);
     return scene;
 }
@@ -85,7 +86,8 @@ TEST(Remove, DeletesDependentObjects) {
     EXPECT_EQ(edit.scene.stages[2].install, std::vector<std::string>{"B1"});
     ASSERT_EQ(edit.scene.monitors.size(), 4u) << "the monitor of roof.3 had no bolt any more";
     EXPECT_EQ(edit.scene.monitors.back().name, "B1 force");
-    EXPECT_EQ(edit.scene.quantities.size(), 3u);
+    EXPECT_EQ(edit.scene.quantities.size(), 4u);
+    EXPECT_EQ(edit.scene.quantities.back(), "count debonding") << "names nothing";
     EXPECT_EQ(edit.scene.about.expected.size(), 3u);
     EXPECT_EQ(edit.pointers.now("/monitors/4"), "/monitors/3");
     EXPECT_FALSE(edit.pointers.now("/monitors/3"));

@@ -5,6 +5,7 @@
 // method finds, under every rule for the forces of a step.
 #include "solver/engine/step/dual_sweeps.h"
 
+#include "solver/engine/bolt/topology.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
@@ -21,6 +22,7 @@ namespace {
 /// A wall that begins to slide and tilt from rest, its joints without history.
 StepProblem slidingWall(const Model& model, const StepOptions& options) {
     State state = makeState(model);
+    placeBolts(model, state);
     state.contacts = findContacts(model, state.blocks, {}, 0.01, true);
     for (std::size_t i = 0; i < state.blocks.size(); ++i)
         if (!model.blocks[i].fixed) state.blocks[i].velocity[0] = 0.01 * static_cast<double>(i);

@@ -5,6 +5,7 @@
 // solution of all bolt nodes gives, at rest and where the blocks have moved on.
 #include "solver/engine/step/node_chains.h"
 
+#include "solver/engine/bolt/topology.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/files/scene/bolt_library.h"
@@ -42,6 +43,7 @@ Model boltedModel() {
 /// A step in which the blocks have moved by different amounts while the bolts have not.
 struct BoltedStep {
     BoltedStep() : state(makeState(model)) {
+        placeBolts(model, state);
         LoadPoint at;
         at.gravity = 1.0;
         problem = buildStep(model, state, Loads{}, at, {Inertia::Shi, 1e-3});
