@@ -46,13 +46,9 @@ Measurement atFirst(const Quantity& quantity, const RecordedRun& run) {
         valueIn(run.history[found->historyRow], quantity.subject, historyColumn(run.scene, quantity.subject)), "", {}};
 }
 
-/// What an event happened to: a place on a bolt, a joint between two blocks, or a block.
+/// What an event happened to: a bolt, a joint between two blocks, or a block.
 std::string subjectOf(const Event& event, const Scene& scene, const std::vector<std::string>& blocks) {
-    if (event.bolt >= 0) {
-        const std::string& bolt = scene.bolts[event.bolt].name;
-        if (event.node >= 0) return bolt + " node " + std::to_string(event.node + 1);
-        return event.element >= 0 ? bolt + " element " + std::to_string(event.element + 1) : bolt;
-    }
+    if (event.bolt >= 0) return scene.bolts[event.bolt].name;
     const std::string block = blockName(blocks, event.block);
     return event.otherBlock >= 0 ? block + " on " + blockName(blocks, event.otherBlock) : block;
 }
@@ -60,8 +56,11 @@ std::string subjectOf(const Event& event, const Scene& scene, const std::vector<
 Measurement orderOf(EventKind kind, const RecordedRun& run) {
     const std::vector<std::string> blocks = blockNames(run.scene);
     Measurement result;
-    for (const Event& event : run.events)
-        if (event.kind == kind) result.order.push_back(subjectOf(event, run.scene, blocks));
+    for (const Event& event : run.events) {
+        if (event.kind != kind) continue;
+        std::string subject = subjectOf(event, run.scene, blocks);
+        if (!std::count(result.order.begin(), result.order.end(), subject)) result.order.push_back(std::move(subject));
+    }
     if (result.order.empty()) return problem("no " + std::string(rowOf(kind).key) + " happened");
     return result;
 }

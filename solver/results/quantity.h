@@ -27,7 +27,7 @@ struct RecordedRun {
 struct Measurement {
     std::optional<double> value;  // SI; of `stands` 1 or 0; none for `order`
     std::string problem;
-    std::vector<std::string> order;  // of `order`: what each event happened to, e.g. "R1 node 12"
+    std::vector<std::string> order;  // of `order`: bolts, joints or blocks in order of the first event of each
 };
 
 /// Reads a quantity. There is a problem instead of a value if the history has no rows, if the column of the quantity

@@ -56,13 +56,14 @@ const Structure& sceneStructure() {
                                 "run.",
                                 {.isOrdered = true}),
             row<&Scene::monitors>("monitors", "Points and bolts whose values are recorded in the history."),
-            row<&Scene::quantities>("quantities",
-                                    "Results of interest: `max|min|last MONITOR[.ux|.uy|.u]` (`.u` is the magnitude "
-                                    "of a displacement), `max|min|last BOLT.QUANTITY`, `first KIND "
-                                    "MONITOR[.ux|.uy|.u]` (just before the first such event), `count KIND`, `order "
-                                    "KIND` (what the events happened to, one after the other), `energy_error`, "
-                                    "`factor_of_safety`, `stands` (1 if the scene is stable, otherwise 0).",
-                                    {.heading = translatable("Fields", "Quantities of interest"), .isRare = true}),
+            row<&Scene::quantities>(
+                "quantities",
+                "Results of interest: `max|min|last MONITOR[.ux|.uy|.u]` (`.u` is the magnitude "
+                "of a displacement), `max|min|last BOLT.QUANTITY`, `first KIND "
+                "MONITOR[.ux|.uy|.u]` (just before the first such event), `count KIND`, `order "
+                "KIND` (the bolts, joints or blocks in order of the first such event of each), `energy_error`, "
+                "`factor_of_safety`, `stands` (1 if the scene is stable, otherwise 0).",
+                {.heading = translatable("Fields", "Quantities of interest"), .isRare = true}),
             row<&Scene::safety>("safety", "Settings of the search for the factor of safety."),
             row<&Scene::output>("output", "Results that a run saves."),
             row<&Scene::limits>("limits", "Limits at which a run ends even if its stages are not finished."),

@@ -17,8 +17,8 @@
 namespace keyblock {
 
 /// What is read from a run. `Max`, `Min` and `Last` reduce a column of the history to one number; `First` takes its value
-/// just before the first event of a given kind. `Count` is the number of events of a kind, `Order` what they happened
-/// to, one after the other. The others concern the run as a whole.
+/// just before the first event of a given kind. `Count` is the number of events of a kind, `Order` the
+/// bolts, joints or blocks that they happened to, in order of the first event of each. The others concern the run as a whole.
 enum class QuantityKind { Max, Min, Last, First, Count, Order, EnergyError, FactorOfSafety, Stands };
 
 /// Recorded value: a component of a monitor, or a quantity of a bolt.

@@ -152,7 +152,7 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
         if (!here.order.empty() || !there.order.empty()) {
             const std::string kind = trade.quantities[q].substr(std::string("order ").size());
             text += *error == 0.0 ? ", same order of " + kind
-                                  : ", " + rounded(100.0 * *error) + " % of the " + kind + " events in another order";
+                                  : ", " + rounded(100.0 * *error) + " % of the order of " + kind + " differs";
         } else if (here.value && *error > 0.0) {
             text += ", " + trade.quantities[q] + " " +
                     (*there.value == 0.0 ? rounded(*here.value) + " instead of 0"

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Error of quantity q at a point against the reference: relative to the reference, or absolute if that is 0; for an
-/// order of events, the share of events that are missing or out of order. None for the energy balance error, which is
+/// order, the share of bolts, joints or blocks that are missing or out of order. None for the energy balance error, which is
 /// an error itself, and if only one of the two has a value. 0 if neither has one.
 std::optional<double> errorOf(const TradePoint& point, const TradePoint& reference,
                               const std::vector<std::string>& quantities, std::size_t q);

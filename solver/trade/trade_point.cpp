@@ -73,7 +73,8 @@ void proposeEvents(const Results& results, std::vector<std::string>& quantities)
         const auto count = std::count_if(results.events.begin(), results.events.end(),
                                          [&](const Event& event) { return event.kind == row.kind && event.bolt >= 0; });
         if (count == 0) continue;
-        quantities.push_back("count " + std::string(row.key));
+        // the numbers of the others follow the divisions of the bolts
+        if (row.severity >= graveSeverity) quantities.push_back("count " + std::string(row.key));
         quantities.push_back("order " + std::string(row.key));
     }
 }

@@ -97,9 +97,12 @@ TEST(Measure, CountsEventsAndTellsTheirOrder) {
     EXPECT_EQ(measure("count collapse", scene, results).value, 0.0);
     results.events.push_back(results.events.front());
     results.events.back().node = 0;
-    const std::string bolt = scene.bolts[0].name;
-    EXPECT_EQ(measure("order debonding", scene, results).order,
-              (std::vector<std::string>{bolt + " node 2", bolt + " node 1"}));
+    EXPECT_EQ(measure("count debonding", scene, results).value, 2.0);
+    EXPECT_EQ(measure("order debonding", scene, results).order, std::vector<std::string>{scene.bolts[0].name});
+    results.events.push_back(results.events[1]);
+    std::swap(results.events.back().block, results.events.back().otherBlock);
+    EXPECT_EQ(measure("order joint-open", scene, results).order.size(), 2u);
+    results.events.pop_back();
     EXPECT_EQ(measure("order joint-open", scene, results).order.size(), 1u);
     EXPECT_NE(measure("order collapse", scene, results).problem.find("no collapse"), std::string::npos);
 }
