@@ -66,6 +66,8 @@ public:
             for (const TradeDot& d : chart_.dots)
                 if (std::isfinite(d.error) && d.onFront == front) drawDot(ink, d);
         for (const TradeDot& d : chart_.dots)
+            if (std::isfinite(d.error)) taken_.push_back({placeOf(d) - Point(dot, dot), placeOf(d) + Point(dot, dot)});
+        for (const TradeDot& d : chart_.dots)
             if (std::isfinite(d.error) && d.isNamed) drawName(ink, d);
         drawKey(ink);
     }
@@ -136,7 +138,7 @@ private:
         ink.circle(placeOf(d), d.onFront ? frontDot : dot, colourOf(d.axis), Stroke{0.15, white});
     }
 
-    /// Writes the name beside its dot, on the side where there is room, unless a name is there already.
+    /// Writes the name beside its dot, on the side where there is room, unless another dot or name is there.
     void drawName(Ink& ink, const TradeDot& d) {
         const Point at = placeOf(d);
         const double room = std::max(at.x() - left_, right_ + keyRoom - at.x()) - nameGap;
@@ -147,9 +149,9 @@ private:
             const double from = toRight ? at.x() + nameGap : at.x() - nameGap - width;
             const Box box{{from, at.y() + shift - nameHeight}, {from + width, at.y() + shift}};
             if (box.max.y() > bottom_ + 0.8 ||
-                std::any_of(names_.begin(), names_.end(), [&](const Box& b) { return overlap(b, box); }))
+                std::any_of(taken_.begin(), taken_.end(), [&](const Box& b) { return overlap(b, box); }))
                 continue;
-            names_.push_back(box);
+            taken_.push_back(box);
             ink.casedText({from, at.y() + shift}, name, text_style::body);
             return;
         }
@@ -176,7 +178,7 @@ private:
     double floor_ = leastError;
     LogAxis time_, error_;
     std::vector<std::string> axes_;
-    std::vector<Box> names_;  // already written
+    std::vector<Box> taken_;  // by dots and names
 };
 
 }  // namespace
