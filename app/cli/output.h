@@ -37,7 +37,7 @@ void replaceErrorLine(std::string_view text);
 /// to a closed pipe.
 int outputFailure();
 
-/// True if the reader of standard output has closed its pipe, so that nobody receives what a command would compute.
+/// True if the reader of standard output has closed its pipe, so that the results of a command would be lost.
 bool readerIsGone();
 
 /// True if standard error is a terminal.

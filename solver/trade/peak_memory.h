@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Peak memory of this process since a moment, where the system tells it (Linux).
+// Peak memory of this process since a moment, where the system reports it (Linux).
 #pragma once
 
 namespace keyblock {

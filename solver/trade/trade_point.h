@@ -32,7 +32,7 @@ struct TradePoint {
     double size = 0.0;  // as in TradeSetting
 };
 
-/// Quantities of interest of a scene that names none, chosen from the results of its run: whether it stands, the energy
+/// Quantities of interest of a scene that names none, chosen from the results of its run: whether it is stable, the energy
 /// balance error, the displacements and openings of monitors, the largest force of the most loaded bolt and its debonded
 /// length, and the number and order of the events in bolts.
 std::vector<std::string> proposedQuantities(const Scene& scene, const Results& results);

@@ -117,7 +117,7 @@ TEST_F(Resume, AStoreThatIsDeletedDuringItsRunIsThereAgain) {
 
 TEST_F(Resume, WhatIsNoRunStoreIsRefused) {
     putEndlessScene();
-    put("rest.kbrun", "notes that somebody needs");
+    put("rest.kbrun", "notes of the user");
     expectRefused({}, 3, "not a run store");
 }
 

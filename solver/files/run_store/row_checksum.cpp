@@ -59,7 +59,7 @@ void rowChecksum(sqlite3_context* context, int count, sqlite3_value** values) {
                 addNumber(sum, i, std::bit_cast<std::uint64_t>(sqlite3_value_double(value) + 0.0));
                 break;
             case SQLITE_TEXT: {
-                const void* text = sqlite3_value_text(value);  // converts it, so the size is asked for afterwards
+                const void* text = sqlite3_value_text(value);  // converts the value; the size is valid only after this call
                 addBytes(sum, i, text, sqlite3_value_bytes(value));
                 break;
             }

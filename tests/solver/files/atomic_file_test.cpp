@@ -59,7 +59,7 @@ TEST(AtomicFile, FollowsALink) {
     EXPECT_EQ(test::contentOf(folder.path() / "table.csv"), "text");
 }
 
-/// Whoever may write in the folder could lay a link to any file of the user at the temporary name.
+/// A user with write permission for the folder could place a link to another user's file at the temporary name.
 TEST(AtomicFile, FollowsNoLinkAtItsTemporaryName) {
     const test::ScratchFolder folder;
     const fs::path file = folder.path() / "table.csv", other = folder.path() / "other";

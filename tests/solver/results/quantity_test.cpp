@@ -90,7 +90,7 @@ TEST(Measure, TakesTheMagnitudeOfADisplacementRowByRow) {
     EXPECT_EQ(measure("max crown.uy", scene, results).value, 4.5);
 }
 
-TEST(Measure, CountsEventsAndTellsTheirOrder) {
+TEST(Measure, CountsEventsAndListsTheirOrder) {
     const Scene scene = test::sampleScene();
     Results results = test::sampleResults();
     EXPECT_EQ(measure("count debonding", scene, results).value, 1.0);
@@ -107,7 +107,7 @@ TEST(Measure, CountsEventsAndTellsTheirOrder) {
     EXPECT_NE(measure("order collapse", scene, results).problem.find("no collapse"), std::string::npos);
 }
 
-TEST(Measure, TellsWhetherTheSceneStandsAndHowWellItsEnergyBalances) {
+TEST(Measure, ReportsStabilityAndTheEnergyBalanceError) {
     const Scene scene = test::sampleScene();
     Results results = test::sampleResults();
     ASSERT_FALSE(results.stages.empty());

@@ -22,7 +22,7 @@ public:
     std::vector<std::string> kept;
 };
 
-/// Brittle bond across a joint, that lets go node after node.
+/// Brittle bond across a joint, which fails node after node.
 inline Scene tearing(int elements = 19) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Trades of a block that slides down a slope: its displacement has a closed form, and a
-// trade that is stopped goes on with the runs that it has made.
+// trade that was stopped continues with the runs that it has made.
 #include "solver/trade/trade.h"
 
 #include "solver/trade/trade_errors.h"
@@ -66,7 +66,7 @@ TEST(Trade, LeavesOutWhatTheBudgetDoesNotAllow) {
     EXPECT_GT(trade.leftOut.size(), 5u);
 }
 
-TEST(Trade, GoesOnWhereItWasStopped) {
+TEST(Trade, ContinuesWhereItWasStopped) {
     const test::ScratchFolder scratch;
     const Scene scene = slidingScene();
     int runs = 0;

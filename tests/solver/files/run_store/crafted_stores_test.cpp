@@ -36,7 +36,7 @@ std::string endlessView(const std::string& table, const std::string& columns) {
     }() + " FROM n";
 }
 
-/// The table with its rows, defined anew: `from` in its definition becomes `to`.
+/// Recreates the table with its rows and replaces `from` in its definition with `to`.
 std::string redefined(const std::string& table, const std::string& from, const std::string& to) {
     return "PRAGMA writable_schema=ON; UPDATE sqlite_master SET sql = replace(sql, '" + from + "', '" + to +
            "') WHERE name = '" + table + "'; PRAGMA writable_schema=RESET";

@@ -281,9 +281,9 @@ TEST_F(RunStoreTest, TakesNothingFromAJournalWhoseStoreWasRemoved) {
 }
 
 TEST_F(RunStoreTest, OverwritesNothingButRunStores) {
-    test::putContent(storePath(), "notes that somebody needs");
+    test::putContent(storePath(), "notes of the user");
     EXPECT_THROW(writeSample(true), StoreExists);
-    EXPECT_EQ(test::contentOf(storePath()), "notes that somebody needs");
+    EXPECT_EQ(test::contentOf(storePath()), "notes of the user");
     test::putContent(storePath(), "");
     writeSample(true);
     EXPECT_EQ(messageOnReading(), "");
@@ -456,12 +456,12 @@ TEST_F(LostStore, ThatWasDeletedWithItsJournalIsThereAgain) {
 TEST_F(LostStore, ThatWasReplacedLeavesTheOtherFileAlone) {
     const std::string message = messageAfter([&] {
         fs::remove(storePath());
-        test::putContent(storePath(), "notes that somebody needs");
+        test::putContent(storePath(), "notes of the user");
     });
     const fs::path kept = folder_.path() / "run-2.kbrun";
     EXPECT_NE(message.find("are in " + kept.string()), std::string::npos) << message;
     expectBothFrames(kept);
-    EXPECT_EQ(test::contentOf(storePath()), "notes that somebody needs");
+    EXPECT_EQ(test::contentOf(storePath()), "notes of the user");
 }
 
 TEST_F(RunStoreTest, SaysWhenAnotherProgramKeepsItLocked) {
