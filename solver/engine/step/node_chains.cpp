@@ -103,6 +103,7 @@ private:
 }  // namespace
 
 NodeChains::NodeChains(const StepProblem& problem, const LinkRows& rows) : problem_(problem), rows_(rows) {
+    if (problem.nodes == 0) return;
     const auto isNode = [&](int body) { return body >= problem.blocks; };
     std::vector<char> joined(problem.nodes, 0);  // per node: linked to the one before
     for (const Link& link : problem.links) {
