@@ -6,6 +6,7 @@
 #include "solver/results/tables.h"
 
 #include "solver/results/block_forces.h"
+#include "solver/results/bolt_design.h"
 #include "solver/results/csv.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/result_names.h"
@@ -17,7 +18,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kindWords{"history", "events", "bolts", "blocks", "contacts", "energy", "forces"};
+constexpr std::array<std::string_view, 8> kindWords{"history",  "events", "bolts",  "blocks",
+                                                    "contacts", "energy", "forces", "design"};
 
 using Columns = std::vector<std::string_view>;
 
@@ -45,6 +47,7 @@ Columns columnsOf(TableKind kind, const HistoryColumns& history) {
             return withQuantities({"block_a", "block_b", "joint_material", "x_m", "y_m", "state"}, contactQuantities());
         case TableKind::Energy: return withQuantities({}, energyQuantities());
         case TableKind::Forces: return {"block", "source", "name", "x_m", "y_m", "fx_N", "fy_N", "moment_Nm"};
+        case TableKind::Design: return designColumns();
         case TableKind::History: break;
     }
     return {history.names.begin(), history.names.begin() + history.monitorValues};
@@ -186,6 +189,13 @@ void writeFrames(const RunSource& run, const TableFilter& filter, CsvWriter& csv
         writeFrame(run, run.frame(index), filter, csv);
 }
 
+void writeDesign(const RunSource& run, const TableFilter& filter, std::ostream& out) {
+    std::vector<std::size_t> frames;
+    if (filter.when == When::All) frames = selected(momentsOf(run.frames()), filter, When::All);
+    else if (const auto index = frameAt(run, filter)) frames = {*index};
+    for (const std::size_t index : frames) writeDesignRows(run, index, filter.bolt, out);
+}
+
 void writeEnergy(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
     for (const std::size_t i : selected(momentsOf(run.frames()), filter, When::All)) {
         const FrameHead& frame = run.frames()[i];
@@ -205,7 +215,9 @@ std::optional<TableKind> tableKindOf(std::string_view word) {
     return static_cast<TableKind>(found - kindWords.begin());
 }
 
-bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }
+bool hasBolts(TableKind kind) {
+    return kind == TableKind::Bolts || kind == TableKind::Events || kind == TableKind::Design;
+}
 
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter) {
     const std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
@@ -228,6 +240,7 @@ void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter,
         case TableKind::Blocks: return writeFrames(run, filter, csv, writeBlocks);
         case TableKind::Contacts: return writeFrames(run, filter, csv, writeContacts);
         case TableKind::Forces: return writeFrames(run, filter, csv, writeForces);
+        case TableKind::Design: return writeDesign(run, filter, out);
     }
 }
 

@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-enum class TableKind { History, Events, Bolts, Blocks, Contacts, Energy, Forces };
+enum class TableKind { History, Events, Bolts, Blocks, Contacts, Energy, Forces, Design };
 
 /// Names of the tables, in the order of `TableKind`.
 std::span<const std::string_view> tableWords();
@@ -31,7 +31,7 @@ bool hasBolts(TableKind kind);
 /// is taken or, if there is none, the last. None if no frame matches the filter.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
-/// Writes a table: a header, then the rows. By default, tables made from frames (bolts, blocks, contacts, forces) show
+/// Writes a table: a header, then the rows. By default, tables made from frames (bolts, blocks, contacts, forces, design) show
 /// the last frame; the other tables show every row.
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out);
 

@@ -49,7 +49,7 @@ void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& fil
 
 bool isOfFrame(TableKind kind) {
     return kind == TableKind::Bolts || kind == TableKind::Blocks || kind == TableKind::Contacts ||
-           kind == TableKind::Forces;
+           kind == TableKind::Forces || kind == TableKind::Design;
 }
 
 std::string frameText(const RunSource& run, const TableFilter& filter) {

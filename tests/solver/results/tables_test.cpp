@@ -54,6 +54,13 @@ TEST(Tables, HaveTheHeadersOfTheContract) {
               "stage,time_s,kinetic_J,strain_J,contact_J,bolt_J,friction_J,plastic_J,released_J,damped_J,external_J,"
               "balance_error");
     EXPECT_EQ(lines(TableKind::Forces)[0], "stage,time_s,block,source,name,x_m,y_m,fx_N,fy_N,moment_Nm");
+    EXPECT_EQ(lines(TableKind::Design)[0],
+              "stage,time_s,bolt,type,status,peak_axial_force_N,peak_axial_at_m,peak_axial_stage,peak_axial_time_s,"
+              "peak_shear_force_N,peak_shear_at_m,peak_moment_Nm,peak_moment_at_m,yield_force_N,yield_use,steel_use,"
+              "shear_use,bond_use,plate_use,governs,axial_force_N,shear_force_N,moment_Nm,plate_normal_force_N,"
+              "plate_shear_force_N,bonded_length_m,debonded_length_m,debonded_share,elastic_J,plastic_J,bond_J,"
+              "energy_J,carries,carried_weight_N,carrying_force_N,since_event,since_bolt,since_block,since_stage,"
+              "since_time_s");
 }
 
 TEST(Tables, ForcesAreListedBlockByBlockWithBothEndsOfContactsAndBonds) {
