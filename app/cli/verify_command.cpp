@@ -8,6 +8,7 @@
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
+#include "app/cli/verification_note.h"
 #include "solver/verify/verify.h"
 
 #include <algorithm>
@@ -103,6 +104,7 @@ ExitCode performCases(const VerifyOptions& options) {
     if (!options.json)
         print(textLine(caseColumns, {"", "", "computed", "expected", "tolerance", "seconds", ""}));
     const std::vector<CaseResult> all = resultsOfAll(chosen, options.json);
+    if (options.names.empty() && !readerIsGone()) recordVerification(all, chosen.size());
     const auto missed = std::count_if(all.begin(), all.end(), [](const CaseResult& one) { return !one.passed; });
     if (options.json)
         print(casesJson(all));
