@@ -89,6 +89,19 @@ struct TradeOptions {
     ProgressKind progress = ProgressKind::Automatic;
 };
 
+struct CompareOptions {
+    std::filesystem::path a, b;  // run stores
+    bool json = false;
+};
+
+struct ReportOptions {
+    std::filesystem::path run;
+    std::filesystem::path out;  // .pdf or .html
+    std::optional<std::filesystem::path> layout;  // template
+    std::string project, author, date;  // for the title block; empty: left out
+    bool overwrite = false;
+};
+
 struct VerifyOptions {
     std::vector<std::string> names;  // names of cases; empty: all cases
     bool paper = false;  // show the tables of the paper instead of the cases
@@ -100,7 +113,7 @@ struct BoltsOptions {
 };
 
 using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, ImportOptions, SafetyOptions,
-                             TradeOptions, VerifyOptions, BoltsOptions>;
+                             TradeOptions, CompareOptions, ReportOptions, VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
 ExitCode perform(const CheckOptions& options);
@@ -109,6 +122,8 @@ ExitCode perform(const ExportOptions& options);
 ExitCode perform(const ImportOptions& options);
 ExitCode perform(const SafetyOptions& options);
 ExitCode perform(const TradeOptions& options);
+ExitCode perform(const CompareOptions& options);
+ExitCode perform(const ReportOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);
 

@@ -48,6 +48,8 @@ struct Options {
     ImportOptions imported;
     SafetyOptions safety;
     TradeOptions trade;
+    CompareOptions compare;
+    ReportOptions report;
     VerifyOptions verify;
     BoltsOptions bolts;
 };
@@ -163,13 +165,14 @@ void addExport(CLI::App& app, ExportOptions& options) {
     verb->add_option("--fps", options.perSecond, "Frames per second of an animation; default 12")
         ->type_name("N")
         ->check(CLI::Range(1, 120).description(""));
-    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts); in a section, the bolt whose "
-                                             "force diagram is drawn")
+    verb->add_option("--bolt", options.bolt,
+                     "Only this bolt (tables events, bolts and design); in a section, the bolt whose "
+                     "force diagram is drawn")
         ->type_name("NAME");
     verb->add_option("--stage", options.stage, "Only this stage")->type_name("NAME");
     verb->add_option("--at", options.at,
                      "Time to export: the nearest one saved, the last one or all; default: last for bolts, blocks, "
-                     "contacts and figures, all for the others")
+                     "contacts, forces, design and figures, all for the others")
         ->type_name("STAGE:TIME|last|all");
     addFigureOptions(verb, options);
     verb->add_option("--reference", options.references,
@@ -266,6 +269,32 @@ void addTrade(CLI::App& app, TradeOptions& options) {
     addProgress(verb, options);
 }
 
+void addCompare(CLI::App& app, CompareOptions& options) {
+    CLI::App* verb = app.add_subcommand("compare",
+                                        "Compare two runs of the same rock: blocks that fall in one and are "
+                                        "stable in the other, the bolts that hold them, and the "
+                                        "differences of displacements and forces");
+    verb->add_option("A.kbrun", options.a, "A run store")->required()->type_name("");
+    verb->add_option("B.kbrun", options.b, "The run store to compare it with")->required()->type_name("");
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
+}
+
+void addReport(CLI::App& app, ReportOptions& options) {
+    CLI::App* verb = app.add_subcommand("report",
+                                        "Write a report of a run: model, stages, bolts, events with their "
+                                        "causes, curves and solver diagnostics");
+    verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
+    verb->add_option("--out", options.out, "The file to write; its extension selects the format")
+        ->required()
+        ->type_name("FILE.(pdf|html)");
+    verb->add_option("--template", options.layout, "A text file that chooses and orders the sections and names a logo")
+        ->type_name("FILE");
+    verb->add_option("--project", options.project, "Name of the project, for the title block")->type_name("TEXT");
+    verb->add_option("--author", options.author, "Name of the author, for the title block")->type_name("TEXT");
+    verb->add_option("--date", options.date, "Date of the report, for the title block")->type_name("TEXT");
+    verb->add_flag("--overwrite", options.overwrite, "Replace an existing report");
+}
+
 void addVerify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Check the program against independent reference values");
     CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be repeated")
@@ -338,6 +367,8 @@ Command commandOf(const CLI::App& app, const Options& options) {
     if (verb == "safety")
         return options.safety;
     if (verb == "trade") return options.trade;
+    if (verb == "compare") return options.compare;
+    if (verb == "report") return options.report;
     if (verb == "verify")
         return options.verify;
     return options.bolts;
@@ -363,6 +394,8 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addImport(app, options.imported);
     addSafety(app, options.safety);
     addTrade(app, options.trade);
+    addCompare(app, options.compare);
+    addReport(app, options.report);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);
     requireKnownVerb(app, argc, argv);

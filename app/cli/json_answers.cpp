@@ -310,6 +310,73 @@ std::string infoJson(const RunStore& store) {
                   2);
 }
 
+namespace {
+
+Json comparedRunJson(const RunStore& store, const Verdict& verdict, const std::vector<int>& settled) {
+    Json unstable = Json::array(), atRest = Json::array();
+    for (const StageUnstable& one : verdict.blocks) unstable.push_back(blockName(store.blockNames(), one.block.block));
+    for (const int block : settled) atRest.push_back(blockName(store.blockNames(), block));
+    return {{"title", store.scene().title},
+            {"scene_hash", store.sceneHash()},
+            {"stands", orNull(verdict.stands)},
+            {"unstable", unstable},
+            {"settled", atRest}};
+}
+
+Json savedJson(const RunStore& a, const RunStore& b, const SavedBlock& one) {
+    const RunStore &falling = one.fallsInA ? a : b, &stable = one.fallsInA ? b : a;
+    Json holders = Json::array();
+    for (const HoldingBolt& bolt : one.heldBy)
+        holders.push_back({{"bolt", boltName(stable.scene(), bolt.bolt)},
+                           {"force_N", bolt.force},
+                           {"on", blockName(stable.blockNames(), bolt.on)}});
+    return {{"block", blockName(a.blockNames(), one.block.a)},
+            {"block_b", blockName(b.blockNames(), one.block.b)},
+            {"falls_in", one.fallsInA ? "a" : "b"},
+            {"mode", wordOf(one.fall.block.mode)},
+            {"stage", stageName(falling.scene(), one.fall.stage)},
+            {"moved_m", one.moved},
+            {"weight_N", one.fall.block.weight},
+            {"held_by", holders}};
+}
+
+Json comparedBoltJson(const std::optional<BoltUse>& use) {
+    if (!use) return nullptr;
+    return {{"axial_N", use->extremes.axialForce.value},
+            {"shear_N", use->extremes.shearForce.value},
+            {"moment_Nm", use->extremes.moment.value},
+            {"use", use->governs ? Json(use->highest()) : Json(nullptr)},
+            {"governs", use->governs ? Json(rowOf(*use->governs).key) : Json(nullptr)}};
+}
+
+}  // namespace
+
+std::string compareJson(const RunStore& a, const RunStore& b, const RunComparison& found) {
+    Json saved = Json::array(), displacements = Json::array(), bolts = Json::array();
+    for (const SavedBlock& one : found.saved) saved.push_back(savedJson(a, b, one));
+    for (const BlockDifference& one : found.blocks)
+        displacements.push_back({{"block", blockName(a.blockNames(), one.block.a)},
+                                 {"ux_a_m", one.a.x()},
+                                 {"uy_a_m", one.a.y()},
+                                 {"ux_b_m", one.b.x()},
+                                 {"uy_b_m", one.b.y()},
+                                 {"difference_m", one.size()}});
+    for (const BoltDifference& one : found.bolts) {
+        const bool both = one.a && one.b;
+        bolts.push_back({{"bolt", one.name}, {"a", comparedBoltJson(one.a)}, {"b", comparedBoltJson(one.b)}});
+        bolts.back()["axial_difference_N"] = both ? Json(one.a->extremes.axialForce.value -
+                                                         one.b->extremes.axialForce.value)
+                                                  : Json(nullptr);
+    }
+    return dumped({{"a", comparedRunJson(a, found.a, found.settledA)},
+                   {"b", comparedRunJson(b, found.b, found.settledB)},
+                   {"blocks", {{"shared", found.shared}, {"only_a", found.onlyA}, {"only_b", found.onlyB}}},
+                   {"saved", saved},
+                   {"displacements", displacements},
+                   {"bolts", bolts}},
+                  2);
+}
+
 std::string casesJson(std::span<const CaseResult> results) {
     Json list = Json::array();
     for (const CaseResult& result : results)

@@ -7,6 +7,7 @@
 
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/scene/scene_file.h"
+#include "solver/results/run_comparison.h"
 #include "solver/run/model_summary.h"
 #include "solver/run/safety.h"
 #include "solver/scene/problem.h"
@@ -35,6 +36,15 @@ std::string checkJson(const SceneReading& reading, const std::optional<ModelSumm
 /// the run, with its sign. `use` is the utilisation of each strength (1: fully used), or null if the bolt does not
 /// have that strength.
 std::string infoJson(const RunStore& store);
+
+/// Output of `compare`: `a {title, scene_hash, stands, unstable[], settled[]}, b {…}, blocks {shared, only_a, only_b},
+/// saved[] {block, block_b, falls_in, mode, stage, moved_m, weight_N, held_by[] {bolt, force_N, on}}, displacements[]
+/// {block, ux_a_m, uy_a_m, ux_b_m, uy_b_m, difference_m}, bolts[] {bolt, a {axial_N, shear_N, moment_Nm, use, governs},
+/// b {…}, axial_difference_N}`. `unstable` are the blocks of the verdict, `settled` those of them that came to rest near
+/// their positions. `falls_in` is `a` or `b`; `moved_m` is the displacement over that run; `held_by` lists bolts of the
+/// other run, and `on` is the block on which the bolt acts, named as in that run. `a` or `b` of a bolt is null if the
+/// bolt is not in that run.
+std::string compareJson(const RunStore& a, const RunStore& b, const RunComparison& found);
 
 /// Output of `verify`: `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
 std::string casesJson(std::span<const CaseResult> results);

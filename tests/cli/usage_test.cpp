@@ -25,7 +25,8 @@ protected:
 TEST_F(Usage, EveryVerbHasHelp) {
     const Ended whole = keyblock({"--help"});
     EXPECT_EQ(whole.code, 0);
-    for (const std::string verb : {"run", "check", "info", "export", "import", "safety", "trade", "verify", "bolts"}) {
+    for (const std::string verb :
+         {"run", "check", "info", "export", "import", "safety", "trade", "compare", "report", "verify", "bolts"}) {
         EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
         const Ended ended = keyblock({verb, "--help"});
         EXPECT_EQ(ended.code, 0) << verb;
@@ -37,8 +38,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
 TEST_F(Usage, VersionIsPrinted) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
-    for (const std::string verb : {"report", "sweep", "stress", "compare"})
-        expectUsageError({verb}, "there is no command '" + verb + "'");
+    for (const std::string verb : {"sweep", "stress"}) expectUsageError({verb}, "there is no command '" + verb + "'");
     expectUsageError({}, "the command is missing");
 }
 
