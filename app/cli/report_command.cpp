@@ -92,7 +92,7 @@ ReportRequest requestOf(const ReportOptions& options, const RunStore& store) {
 
 #endif
 
-ExitCode perform(const ReportOptions& options) {
+ExitCode perform([[maybe_unused]] const ReportOptions& options) {
 #ifndef KEYBLOCK_HAS_FIGURES
     throw UsageError(
         "this program was built without figures; build it with Qt 5 and QCustomPlot, or use info and export");

@@ -110,11 +110,15 @@ ReportTable loadTable(const Facts& facts) {
     return table;
 }
 
-/// Events that are not minor, and of minor ones those that caused others that are not.
-std::vector<std::size_t> listedEvents(const std::vector<Event>& events) {
+/// The events that are not minor, in order of time. If they are more than `most`, the most severe ones of them.
+std::vector<std::size_t> listedEvents(const std::vector<Event>& events, std::size_t most) {
     std::vector<std::size_t> listed;
     for (std::size_t i = 0; i < events.size(); ++i)
         if (!isMinor(events[i].kind)) listed.push_back(i);
+    if (listed.size() <= most) return listed;
+    std::ranges::stable_sort(listed, std::ranges::greater{}, [&](std::size_t i) { return rowOf(events[i].kind).severity; });
+    listed.resize(most);
+    std::ranges::sort(listed);
     return listed;
 }
 
@@ -128,17 +132,16 @@ ReportTable eventTable(const Facts& facts) {
     ReportTable table{"Events of bolts and falls of blocks, with their causes",
                       {{"Event", true}, {"What"}, {"When"}, {"Axial, kN", true}, {"Shear, kN", true}, {"Caused by"}},
                       {}};
-    const std::vector<std::size_t> listed = listedEvents(facts.events);
-    for (const std::size_t i : listed) {
-        if (table.rows.size() == mostEvents) break;
+    for (const std::size_t i : listedEvents(facts.events, mostEvents)) {
         const Event& event = facts.events[i];
         const bool ofBolt = event.bolt >= 0;
         table.rows.push_back({std::to_string(i + 1), eventText(facts, event), momentText(facts, event),
                               ofBolt ? inUnit(event.axialForce, "kN") : "–",
                               ofBolt ? inUnit(event.shearForce, "kN") : "–", causeText(facts, event)});
     }
-    if (listed.size() > mostEvents)
-        table.caption += "; the first " + std::to_string(mostEvents) + " of " + std::to_string(listed.size());
+    const auto all = std::ranges::count_if(facts.events, [](const Event& event) { return !isMinor(event.kind); });
+    if (all > static_cast<std::ptrdiff_t>(mostEvents))
+        table.caption += "; the " + std::to_string(mostEvents) + " most severe of " + std::to_string(all);
     return table;
 }
 
