@@ -87,10 +87,7 @@ void addContent(const Facts& facts, ReportContent content, ReportSection& sectio
         case ReportContent::Events: return addEvents(facts, section);
         case ReportContent::Curves: return addCurves(facts, section);
         case ReportContent::Diagnostics: return addDiagnostics(facts, section);
-        case ReportContent::Verification: return addText(section, facts.request.verification);
-        case ReportContent::Inputs: return addInputs(facts.request, section);
-        case ReportContent::Reproduce: return addCommands(facts.request, section);
-        case ReportContent::Text: return;
+        default: return addCommonContent(facts.request, content, section);
     }
 }
 
@@ -98,35 +95,55 @@ void addFact(ReportDocument& document, const std::string& name, const std::strin
     if (!value.empty()) document.facts.emplace_back(name, value);
 }
 
+/// The document without its sections.
+ReportDocument titleBlock(const std::string& own, const std::string& what, const ReportRequest& request) {
+    ReportDocument document;
+    document.title = request.layout.title.empty() ? own : request.layout.title;
+    document.logo = request.logo;
+    addFact(document, "Project", request.project);
+    addFact(document, "Author", request.author);
+    addFact(document, "Date", request.date);
+    addFact(document, what, own == document.title ? "" : own);
+    addFact(document, "Results", request.runName);
+    addFact(document, "Run by", request.runProgram);
+    addFact(document, "Report by", request.program);
+    document.foot =
+        (request.project.empty() ? document.title : request.project) + " · Keyblock report of " + request.runName;
+    return document;
+}
+
 }  // namespace
+
+void addCommonContent(const ReportRequest& request, ReportContent content, ReportSection& section) {
+    if (content == ReportContent::Verification) addText(section, request.verification);
+    if (content == ReportContent::Inputs) addInputs(request, section);
+    if (content == ReportContent::Reproduce) addCommands(request, section);
+}
+
+ReportDocument assembled(const std::string& own, const std::string& what, const ReportRequest& request,
+                         const std::function<void(ReportContent, ReportSection&)>& add) {
+    ReportDocument document = titleBlock(own, what, request);
+    const auto count = static_cast<double>(request.layout.sections.size());
+    for (const TemplateSection& wanted : request.layout.sections) {
+        ReportSection section;
+        section.heading = wanted.heading.empty() ? std::string(rowOf(wanted.content).heading) : wanted.heading;
+        if (request.progress)
+            request.progress(section.heading, static_cast<double>(document.sections.size()) / count);
+        for (const std::string& paragraph : wanted.paragraphs) addText(section, paragraph);
+        add(wanted.content, section);
+        document.sections.push_back(std::move(section));
+    }
+    return document;
+}
 
 }  // namespace report
 
 ReportDocument reportOf(const RunSource& run, const ReportRequest& request) {
     const report::Facts facts(run, request);
-    ReportDocument document;
     const std::string own = run.scene().title.empty() ? request.runName : run.scene().title;
-    document.title = request.layout.title.empty() ? own : request.layout.title;
-    document.logo = request.logo;
-    report::addFact(document, "Project", request.project);
-    report::addFact(document, "Author", request.author);
-    report::addFact(document, "Date", request.date);
-    report::addFact(document, "Scene", own == document.title ? "" : own);
-    report::addFact(document, "Run", request.runName);
-    report::addFact(document, "Run by", request.runProgram);
-    report::addFact(document, "Report by", request.program);
-    document.foot = (request.project.empty() ? document.title : request.project) + " · Keyblock report of " +
-                    request.runName;
-    const auto count = static_cast<double>(request.layout.sections.size());
-    for (const TemplateSection& wanted : request.layout.sections) {
-        ReportSection section;
-        section.heading = wanted.heading.empty() ? std::string(rowOf(wanted.content).heading) : wanted.heading;
-        if (request.progress) request.progress(section.heading, static_cast<double>(document.sections.size()) / count);
-        for (const std::string& paragraph : wanted.paragraphs) report::addText(section, paragraph);
-        report::addContent(facts, wanted.content, section);
-        document.sections.push_back(std::move(section));
-    }
-    return document;
+    return report::assembled(own, "Scene", request, [&facts](ReportContent content, ReportSection& section) {
+        report::addContent(facts, content, section);
+    });
 }
 
 }  // namespace keyblock

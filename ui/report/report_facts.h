@@ -10,6 +10,7 @@
 #include "solver/results/verdict.h"
 #include "ui/report/report.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,14 @@ void addText(ReportSection& section, const std::string& text, ReportTextKind kin
 
 /// Adds the table unless it has no rows.
 void addTable(ReportSection& section, ReportTable table);
+
+/// The document with its title block and the sections of the template. \param own title without a template
+/// \param what names `own` in the title block \param add adds the contents of a section
+ReportDocument assembled(const std::string& own, const std::string& what, const ReportRequest& request,
+                         const std::function<void(ReportContent, ReportSection&)>& add);
+
+/// Adds the contents that do not depend on results: verification, inputs, commands.
+void addCommonContent(const ReportRequest& request, ReportContent content, ReportSection& section);
 
 void addSummary(const Facts& facts, ReportSection& section);
 void addSectionFigures(const Facts& facts, ReportSection& section);

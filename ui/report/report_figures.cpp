@@ -47,17 +47,16 @@ void addFigure(const Facts& facts, FigureRequest request, const std::string& cap
     request.format = PaperFormat::Svg;
     request.width = figureWidth;
     request.runName = facts.request.runName;
-    ReportFigure figure;
     try {
-        figure.svg = paintFigure(facts.run, request).bytes;
+        addSvg(paintFigure(facts.run, request).bytes, caption, section);
     } catch (const CannotDraw& problem) {
         addText(section, caption + ": not drawn, because " + problem.what() + ".");
-        return;
     }
-    figure.caption = caption;
-    figure.width = millimetresOf(figure.svg, "width");
-    figure.height = millimetresOf(figure.svg, "height");
-    section.parts.emplace_back(std::move(figure));
+}
+
+void addSvg(const std::string& svg, const std::string& caption, ReportSection& section) {
+    section.parts.emplace_back(
+        ReportFigure{caption, svg, millimetresOf(svg, "width"), millimetresOf(svg, "height")});
 }
 
 void addSectionFigures(const Facts& facts, ReportSection& section) {
