@@ -6,6 +6,7 @@
 #include "solver/scene/field.h"
 
 #include "solver/scene/number_text.h"
+#include "solver/scene/structure_list.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
@@ -67,11 +68,13 @@ void collect(const Structure& structure, std::vector<const Structure*>& all) {
 
 }  // namespace
 
-std::vector<const Structure*> allStructures() {
+std::vector<const Structure*> structuresFrom(const Structure& root) {
     std::vector<const Structure*> all;
-    collect(sceneStructure(), all);
+    collect(root, all);
     return all;
 }
+
+std::vector<const Structure*> allStructures() { return structuresFrom(sceneStructure()); }
 
 const Field* findField(const Structure& structure, std::string_view key) {
     const auto found = std::find_if(structure.fields.begin(), structure.fields.end(),

@@ -16,7 +16,7 @@ namespace {
 int lineOfOverride(std::size_t index) { return -1 - static_cast<int>(index); }
 
 // Splits `a.b[2].c` or `a/b/2/c` at dots, slashes and brackets.
-std::vector<std::string> keysOfPath(std::string_view path) {
+std::vector<std::string> keysOfWords(std::string_view path) {
     std::vector<std::string> keys(1);
     for (const char c : path) {
         if (c == ']')
@@ -52,14 +52,22 @@ void setLines(JsonNode& node, int line) {
             setLines(member.node, line);
 }
 
+// The element of a list with this number or, if the key is not a number, with this name; null if there is none.
+JsonNode* element(JsonList& list, const std::string& key) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+    if (error == std::errc() && end == key.data() + key.size()) return index < list.size() ? &list[index] : nullptr;
+    for (JsonNode& item : list) {
+        const JsonNode* name = findMember(item, "name");
+        const auto* text = name ? std::get_if<std::string>(&name->value) : nullptr;
+        if (text && *text == key) return &item;
+    }
+    return nullptr;
+}
+
 // The member of an object, created if it is missing, or the element of a list; null if there is none.
 JsonNode* child(JsonNode& node, const std::string& key) {
-    if (auto* list = std::get_if<JsonList>(&node.value)) {
-        std::size_t index = 0;
-        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-        const bool isIndex = error == std::errc() && end == key.data() + key.size();
-        return isIndex && index < list->size() ? &(*list)[index] : nullptr;
-    }
+    if (auto* list = std::get_if<JsonList>(&node.value)) return element(*list, key);
     if (std::holds_alternative<std::monostate>(node.value))
         node.value = JsonObject{};
     auto* object = std::get_if<JsonObject>(&node.value);
@@ -84,7 +92,7 @@ public:
         if (equals == std::string::npos || equals == 0)
             return fail("the option has no path or no value", "Write path=value, e.g. stages[0].increments=20");
         const std::string path = option_.substr(0, equals);
-        const auto keys = path.front() == '/' ? keysOfPointer(path) : keysOfPath(path);
+        const auto keys = keysOfPath(path);
         JsonNode* place = find(root, keys);
         if (!place)
             return;
@@ -98,7 +106,7 @@ private:
         for (const std::string& key : keys) {
             JsonNode* next = key.empty() ? nullptr : child(*node, key);
             if (!next) {
-                fail(missing(*node, key), "Correct the path; list elements count from 0");
+                fail(missing(*node, key), "Correct the path; list elements are given by number, from 0, or by name");
                 return nullptr;
             }
             node = next;
@@ -134,6 +142,10 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> keysOfPath(std::string_view path) {
+    return path.starts_with('/') ? keysOfPointer(path) : keysOfWords(path);
+}
 
 void applyOverrides(JsonNode& root, std::span<const std::string> overrides, std::vector<Problem>& problems) {
     for (std::size_t i = 0; i < overrides.size(); ++i)

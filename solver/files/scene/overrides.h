@@ -10,11 +10,16 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace keyblock {
 
-/// Sets each `path=value` in the tree, in order. Missing objects along the path are created; list items must exist. The
+/// The keys along a path, which is written as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer.
+std::vector<std::string> keysOfPath(std::string_view path);
+
+/// Sets each `path=value` in the tree, in order. Missing objects along the path are created; list items must exist, and
+/// are given by number or, if they have names, by name. The
 /// value set by `overrides[i]` gets the line number −1 − i, by which `nameOrigins` identifies the option.
 void applyOverrides(JsonNode& root, std::span<const std::string> overrides, std::vector<Problem>& problems);
 

@@ -6,6 +6,7 @@
 #include "solver/files/json/json_text.h"
 #include "solver/files/scene/scene_reference.h"
 #include "solver/scene/field.h"
+#include "solver/scene/structure_list.h"
 
 namespace keyblock {
 
@@ -94,18 +95,22 @@ std::string section(const Structure& structure) {
 
 }  // namespace
 
+std::string referencePageOf(const Structure& root, std::string_view head) {
+    std::string text(head);
+    for (const Structure* structure : structuresFrom(root)) text += section(*structure);
+    return text;
+}
+
 std::string sceneReferencePage() {
-    std::string text =
+    return referencePageOf(
+        sceneStructure(),
         "<!-- SPDX-FileCopyrightText: The Keyblock contributors -->\n"
         "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
         "<!-- Generated from the field table; the test SceneReference rewrites it with KEYBLOCK_REWRITE=1. -->\n\n"
         "# The scene file\n\n"
         "A scene is one JSON text in UTF-8. Units are SI; input angles are in degrees unless another unit is given. A "
         "missing key takes its default; a key that is not listed here, or given twice, is an error. `keyblock check` "
-        "lists all errors with line and remedy.\n";
-    for (const Structure* structure : allStructures())
-        text += section(*structure);
-    return text;
+        "lists all errors with line and remedy.\n");
 }
 
 }  // namespace keyblock

@@ -7,6 +7,7 @@
 #include "solver/files/json/json_text.h"
 #include "solver/files/scene/scene_reference.h"
 #include "solver/scene/field.h"
+#include "solver/scene/structure_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,17 +125,16 @@ JsonObject objectSchema(const Structure& structure) {
 
 }  // namespace
 
-std::string sceneSchema() {
-    JsonObject schema{{"$schema", text("https://json-schema.org/draft/2020-12/schema")},
-                      {"title", text("Keyblock scene")}};
-    for (JsonMember& member : objectSchema(sceneStructure()))
-        schema.push_back(std::move(member));
+std::string schemaOf(const Structure& root, std::string_view title) {
+    JsonObject schema{{"$schema", text("https://json-schema.org/draft/2020-12/schema")}, {"title", text(title)}};
+    for (JsonMember& member : objectSchema(root)) schema.push_back(std::move(member));
     JsonObject definitions;
-    for (const Structure* structure : allStructures())
-        if (structure != &sceneStructure())
-            definitions.push_back({definitionName(*structure), {objectSchema(*structure)}});
+    for (const Structure* structure : structuresFrom(root))
+        if (structure != &root) definitions.push_back({definitionName(*structure), {objectSchema(*structure)}});
     schema.push_back({"$defs", {std::move(definitions)}});
     return jsonText({std::move(schema)});
 }
+
+std::string sceneSchema() { return schemaOf(sceneStructure(), "Keyblock scene"); }
 
 }  // namespace keyblock
