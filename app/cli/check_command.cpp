@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The command `check`: lists all problems of a scene, the blocks into which its domain
-// is cut, and what will be modelled. Nothing is run.
+// is cut, and what will be modelled. Nothing is run. A study is checked with its scene.
+#include "app/cli/check_study.h"
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/model_summary_listing.h"
@@ -10,6 +11,7 @@
 #include "solver/files/scene/scene_file.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/visible_text.h"
+#include "solver/study/study_file.h"
 
 #include <algorithm>
 #include <optional>
@@ -78,6 +80,7 @@ std::optional<ModelSummary> modelSummaryOf(const SceneReading& reading) {
 }  // namespace
 
 ExitCode perform(const CheckOptions& options) {
+    if (isStudyFile(options.scene)) return checkStudyFile(options);
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
     const std::optional<ModelSummary> summary = modelSummaryOf(reading);
     if (options.json) {

@@ -102,6 +102,27 @@ struct ReportOptions {
     bool overwrite = false;
 };
 
+struct SweepPlanOptions {
+    std::filesystem::path study;
+    std::filesystem::path out;  // folder
+};
+
+struct SweepRunOptions {
+    std::filesystem::path sweep;  // folder
+    std::optional<std::string> index;  // N or N-M; null: the cases of the task SLURM_ARRAY_TASK_ID
+    int threads = 1;
+};
+
+struct SweepStatusOptions {
+    std::filesystem::path sweep;
+    bool json = false;
+};
+
+struct SweepCollectOptions {
+    std::filesystem::path sweep;
+    std::vector<std::string> scatter;  // pairs X,Y of columns
+};
+
 struct VerifyOptions {
     std::vector<std::string> names;  // names of cases; empty: all cases
     bool paper = false;  // show the tables of the paper instead of the cases
@@ -113,7 +134,8 @@ struct BoltsOptions {
 };
 
 using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, ImportOptions, SafetyOptions,
-                             TradeOptions, CompareOptions, ReportOptions, VerifyOptions, BoltsOptions>;
+                             TradeOptions, CompareOptions, ReportOptions, SweepPlanOptions, SweepRunOptions,
+                             SweepStatusOptions, SweepCollectOptions, VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
 ExitCode perform(const CheckOptions& options);
@@ -124,6 +146,10 @@ ExitCode perform(const SafetyOptions& options);
 ExitCode perform(const TradeOptions& options);
 ExitCode perform(const CompareOptions& options);
 ExitCode perform(const ReportOptions& options);
+ExitCode perform(const SweepPlanOptions& options);
+ExitCode perform(const SweepRunOptions& options);
+ExitCode perform(const SweepStatusOptions& options);
+ExitCode perform(const SweepCollectOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);
 

@@ -50,6 +50,10 @@ struct Options {
     TradeOptions trade;
     CompareOptions compare;
     ReportOptions report;
+    SweepPlanOptions sweepPlan;
+    SweepRunOptions sweepRun;
+    SweepStatusOptions sweepStatus;
+    SweepCollectOptions sweepCollect;
     VerifyOptions verify;
     BoltsOptions bolts;
 };
@@ -97,7 +101,9 @@ void addRun(CLI::App& app, RunOptions& options) {
 void addCheck(CLI::App& app, CheckOptions& options) {
     CLI::App* verb = app.add_subcommand("check", "Check a scene: errors with fixes, the model summary, and an estimate "
                                                  "of run time and memory; nothing is run");
-    verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
+    verb->add_option("SCENE.json", options.scene, "The scene, or a study, which is checked with its scene")
+        ->required()
+        ->type_name("");
     addOverrides(verb, options.overrides);
     verb->add_flag("--all", options.all, "List all changes made when the domain was cut, not only ten of each kind");
     verb->add_flag("--json", options.json, "Print the answer in JSON");
@@ -295,6 +301,42 @@ void addReport(CLI::App& app, ReportOptions& options) {
     verb->add_flag("--overwrite", options.overwrite, "Replace an existing report");
 }
 
+void addSweepRun(CLI::App* sweep, SweepRunOptions& options) {
+    CLI::App* verb = sweep->add_subcommand("run",
+                                           "Run cases of a sweep; finished cases are skipped, interrupted ones "
+                                           "resumed");
+    verb->add_option("DIR", options.sweep, "The folder of the sweep")->required()->type_name("");
+    verb->add_option("--index", options.index,
+                     "The cases, counted from 1; default: those of the task in the environment variable "
+                     "SLURM_ARRAY_TASK_ID")
+        ->type_name("N[-M]");
+    verb->add_option("--threads", options.threads, "Number of threads; does not affect results; default: 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, mostThreads).description(""));
+}
+
+void addSweep(CLI::App& app, Options& options) {
+    CLI::App* sweep = app.add_subcommand("sweep", "Run a scene many times with different values, as a study file says");
+    sweep->require_subcommand(1);
+    CLI::App* plan = sweep->add_subcommand("plan",
+                                           "Make the folder of a sweep: its cases, the frozen scene and study, "
+                                           "and scripts for Slurm and GNU parallel");
+    plan->add_option("STUDY.json", options.sweepPlan.study, "The study")->required()->type_name("");
+    plan->add_option("--out", options.sweepPlan.out, "The folder, new or empty")->required()->type_name("DIR");
+    addSweepRun(sweep, options.sweepRun);
+    CLI::App* status = sweep->add_subcommand("status", "Show how many cases are finished, running and waiting");
+    status->add_option("DIR", options.sweepStatus.sweep, "The folder of the sweep")->required()->type_name("");
+    status->add_flag("--json", options.sweepStatus.json, "Print the answer in JSON");
+    CLI::App* collect = sweep->add_subcommand("collect", "Write the results of all cases with statistics and figures");
+    collect->add_option("DIR", options.sweepCollect.sweep, "The folder of the sweep")->required()->type_name("");
+    collect
+        ->add_option("--scatter", options.sweepCollect.scatter,
+                     "A further scatter plot of two columns of results.csv; may be repeated")
+        ->type_name("X,Y")
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
 void addVerify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Check the program against independent reference values");
     CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be repeated")
@@ -352,6 +394,14 @@ std::vector<std::string> wordsInReverse(int argc, const char* const* argv) {
     return words;
 }
 
+Command sweepCommandOf(const CLI::App& sweep, const Options& options) {
+    const std::string verb = sweep.get_subcommands().front()->get_name();
+    if (verb == "plan") return options.sweepPlan;
+    if (verb == "run") return options.sweepRun;
+    if (verb == "status") return options.sweepStatus;
+    return options.sweepCollect;
+}
+
 Command commandOf(const CLI::App& app, const Options& options) {
     const std::string verb = app.get_subcommands().front()->get_name();
     if (verb == "run")
@@ -369,6 +419,7 @@ Command commandOf(const CLI::App& app, const Options& options) {
     if (verb == "trade") return options.trade;
     if (verb == "compare") return options.compare;
     if (verb == "report") return options.report;
+    if (verb == "sweep") return sweepCommandOf(*app.get_subcommands().front(), options);
     if (verb == "verify")
         return options.verify;
     return options.bolts;
@@ -386,7 +437,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     app.footer(
         "Exit codes: 0 done, 1 a verification failed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
         "5 limit reached, 6 cannot write, 8 not stable (only with --fail-on-collapse), 70 internal,\n"
-        "75 interrupted (run, safety and animations, which keep their results; a signal ends other commands at once).");
+        "75 interrupted (run, safety, sweeps and animations, which keep their results; a signal ends other commands at once).");
     addRun(app, options.run);
     addCheck(app, options.check);
     addInfo(app, options.info);
@@ -396,6 +447,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addTrade(app, options.trade);
     addCompare(app, options.compare);
     addReport(app, options.report);
+    addSweep(app, options);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);
     requireKnownVerb(app, argc, argv);

@@ -213,17 +213,25 @@ Json modelSummaryJson(const ModelSummary& summary) {
             {"estimate", estimateJson(summary.estimate)}};
 }
 
-}  // namespace
-
-std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary) {
+Json problemsJson(std::span<const Problem> problems) {
     Json list = Json::array();
-    for (const Problem& problem : reading.problems)
+    for (const Problem& problem : problems)
         list.push_back({{"severity", wordOf(problem.severity)},
                         {"pointer", problem.pointer},
                         {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
                         {"message", problem.message},
                         {"remedy", problem.remedy}});
-    Json answer{{"problems", list}};
+    return list;
+}
+
+}  // namespace
+
+std::string studyCheckJson(std::span<const Problem> problems, std::optional<long> cases) {
+    return dumped({{"problems", problemsJson(problems)}, {"cases", cases ? Json(*cases) : Json(nullptr)}}, 2);
+}
+
+std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary) {
+    Json answer{{"problems", problemsJson(reading.problems)}};
     if (reading.cut && !reading.cut->sources.empty())
         answer["cut"] = cutJson(*reading.cut);
     if (summary)

@@ -27,6 +27,9 @@ namespace keyblock::cli {
 /// steps, passes, least, most}, assumes[]}}`.
 std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary);
 
+/// Output of `check` for a study: `problems[]` as above, and `cases`, null if there are errors.
+std::string studyCheckJson(std::span<const Problem> problems, std::optional<long> cases);
+
 /// Output of `info`: `title, program_version, scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames,
 /// events {kind: count}, chains[][] {event, kind, cause, …}, bolts[] {bolt, axial_N, shear_N, moment_Nm, axial_at_m,
 /// stage, time_s, use {steel, shear, bond, plate}, governs, holds[]}, health {…}, verdict {stands, blocks[] {block,

@@ -17,20 +17,23 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 
 std::atomic<std::atomic<bool>*> stopFlag{nullptr};
+std::atomic<bool> ignoresRepeatedTerm{false};
 
 extern "C" void askToStop(int signal) {
     std::atomic<bool>* flag = stopFlag.load();
     if (flag && !flag->exchange(true))
         return;
+    if (flag && signal == SIGTERM && ignoresRepeatedTerm) return;
     ::signal(signal, SIG_DFL);
     ::raise(signal);
 }
 
 }  // namespace
 
-StopSignals::StopSignals(std::atomic<bool>& stop) {
+StopSignals::StopSignals(std::atomic<bool>& stop, RepeatedTerm repeated) {
     assert(!stopFlag.load());
     stopFlag = &stop;
+    ignoresRepeatedTerm = repeated == RepeatedTerm::Ignored;
     struct sigaction action {};
     action.sa_handler = askToStop;
     action.sa_flags = SA_RESTART;

@@ -9,11 +9,14 @@
 
 namespace keyblock::cli {
 
+/// Whether SIGTERM after a first signal ends the program. Job schedulers may send it several times.
+enum class RepeatedTerm { Ends, Ignored };
+
 /// While this object exists, the first Ctrl+C or SIGTERM sets `stop`. \pre no other object of this class exists, and
 /// `stop` outlives this one.
 class StopSignals {
 public:
-    explicit StopSignals(std::atomic<bool>& stop);
+    explicit StopSignals(std::atomic<bool>& stop, RepeatedTerm repeated = RepeatedTerm::Ends);
     ~StopSignals();
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;

@@ -6,17 +6,19 @@
 # packages and needs root only if there are any; otherwise it finishes at once. It
 # is safe to run again. Arguments are further packages or groups of them: `readers`
 # is what tests need besides (a virtual display, programs that read exported files,
-# the source of a locale with decimal commas), `desktop` what moves the mouse and
-# types in the window, `lint` what `make lint` checks with.
+# the source of a locale with decimal commas, GNU parallel), `desktop` what moves the
+# mouse and types in the window, `lint` what `make lint` checks with, `slurm` a job
+# scheduler.
 set -eu
 export LC_ALL=C
 
 further=""
 for argument in "$@"; do
     case $argument in
-        readers) argument="xvfb poppler-utils librsvg2-bin locales python3" ;;
+        readers) argument="xvfb poppler-utils librsvg2-bin locales python3 parallel" ;;
         desktop) argument="xauth x11-utils xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi imagemagick" ;;
         lint) argument="git clang-format clang-tidy python3" ;;
+        slurm) argument="slurmctld slurmd slurm-client python3" ;;
     esac
     further="$further $argument"
 done

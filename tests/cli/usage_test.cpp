@@ -26,7 +26,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
     const Ended whole = keyblock({"--help"});
     EXPECT_EQ(whole.code, 0);
     for (const std::string verb :
-         {"run", "check", "info", "export", "import", "safety", "trade", "compare", "report", "verify", "bolts"}) {
+         {"run", "check", "info", "export", "import", "safety", "trade", "compare", "report", "sweep", "verify", "bolts"}) {
         EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
         const Ended ended = keyblock({verb, "--help"});
         EXPECT_EQ(ended.code, 0) << verb;
@@ -38,7 +38,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
 TEST_F(Usage, VersionIsPrinted) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
-    for (const std::string verb : {"sweep", "stress"}) expectUsageError({verb}, "there is no command '" + verb + "'");
+    for (const std::string verb : {"stress"}) expectUsageError({verb}, "there is no command '" + verb + "'");
     expectUsageError({}, "the command is missing");
 }
 
@@ -67,6 +67,9 @@ TEST_F(Usage, WrongOptionsAreReported) {
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
     expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");
     expectUsageError({"bolts", "toothpick"}, "rebar-20");
+    expectUsageError({"sweep"}, "subcommand is required");
+    expectUsageError({"sweep", "plan", "study.json"}, "--out");
+    expectUsageError({"sweep", "run", "folder", "--threads", "0"}, "--threads");
 }
 
 /// The verification takes minutes.

@@ -107,6 +107,7 @@ const std::vector<Room> rooms{
     {"solver/files", {"solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/verify", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/trade", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/study", {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"ui/picture/section", belowPictures()},
     {"ui/picture/charts", belowPictures({"ui/picture/section"})},
     {"ui/picture", {"solver/results", "solver/scene", "geometry"}},
@@ -147,7 +148,7 @@ const std::vector<Room> rooms{
       "solver/scene", "geometry"}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/report", "ui/figure", "ui/picture", "solver/trade", "solver/verify", "solver/files", "solver/run",
+     {"ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify", "solver/files", "solver/run",
       "solver/engine", "solver/results", "solver/scene", "geometry"}},
 };
 
