@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips asan tsan bench bench-compare fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -23,6 +23,7 @@ help:
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
 	@echo "make mutations  resume runs from two thousand checkpoints changed at random, with the address sanitizer"
 	@echo "make flips  read a run store with two hundred single flipped bits by every command; none may show other numbers"
+	@echo "make cluster  run a sweep on a Slurm cluster of two nodes on this machine, kill a case and a node, and compare the bytes; needs root"
 	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
 	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
 	@echo "make bench  measure time and memory of typical work; BENCH_JSON=FILE keeps the times of steps, LARGE=1 adds 5,000 blocks and more"
@@ -123,6 +124,13 @@ flips: packages
 	$(call build,release)
 	build/release/keyblock run samples/drop-d-bolt.json --overwrite --out build/release/flips.kbrun
 	/usr/bin/python3 tests/flips/flips.py build/release/keyblock build/release/flips.kbrun --flips $(or $(COUNT),200)
+
+# Slurm starts jobs as root; without root nothing is installed or built.
+cluster:
+	@if [ "$$(id -u)" -ne 0 ]; then echo "the cluster needs root: slurmd starts jobs for their users" >&2; exit 2; fi
+	@sh resources/install/debian.sh slurm
+	$(call build,release)
+	/usr/bin/python3 tests/cluster/cluster.py build/release/keyblock --cases $(or $(CASES),100)
 
 asan tsan:
 	@sh resources/install/debian.sh readers
