@@ -95,7 +95,7 @@ struct CompareOptions {
 };
 
 struct ReportOptions {
-    std::filesystem::path run;
+    std::filesystem::path run;  // run store, or folder of a sweep
     std::filesystem::path out;  // .pdf or .html
     std::optional<std::filesystem::path> layout;  // template
     std::string project, author, date;  // for the title block; empty: left out

@@ -288,8 +288,10 @@ void addCompare(CLI::App& app, CompareOptions& options) {
 void addReport(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report",
                                         "Write a report of a run: model, stages, bolts, events with their "
-                                        "causes, curves and solver diagnostics");
-    verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
+                                        "causes, curves and solver diagnostics; or of a sweep");
+    verb->add_option("RUN.kbrun|DIR", options.run, "The run store, or the folder of a collected sweep")
+        ->required()
+        ->type_name("");
     verb->add_option("--out", options.out, "The file to write; its extension selects the format")
         ->required()
         ->type_name("FILE.(pdf|html)");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `report`: writes the report of a run as PDF or HTML.
+// The command `report`: writes the report of a run or of a study as PDF or HTML.
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/output_files.h"
@@ -16,11 +16,16 @@
 #include "solver/files/run_store/stored_scene.h"
 #include "solver/files/sha256.h"
 #include "solver/files/text_file.h"
+#include "solver/study/case_run.h"
+#include "solver/study/sweep_results.h"
 #include "solver/verify/verification_record.h"
 #include "ui/figure/figure.h"
 #include "ui/report/report.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_pdf.h"
+#include "ui/report/study_report.h"
+
+#include <algorithm>
 #endif
 
 namespace keyblock::cli {
@@ -42,6 +47,11 @@ std::string quotedWord(const std::string& word) {
     return text + "'";
 }
 
+/// Name of a file or folder without the folders that contain it.
+std::string nameOf(const std::filesystem::path& path) {
+    return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+}
+
 std::string reportCommand(const ReportOptions& options) {
     std::string text = "keyblock report " + quotedWord(options.run.string()) + " --out " +
                        quotedWord(options.out.string());
@@ -52,11 +62,22 @@ std::string reportCommand(const ReportOptions& options) {
     return text;
 }
 
+/// \throws CannotRead if a section of the template does not apply to reports of this kind.
+void requireSections(const std::filesystem::path& path, const ReportTemplate& layout, ReportKind kind) {
+    for (const TemplateSection& section : layout.sections) {
+        const ReportContentRow& row = rowOf(section.content);
+        if (appliesTo(row, kind)) continue;
+        throw CannotRead("cannot use " + path.string() + ": the section '" + std::string(row.word) + "' applies to " +
+                         (kind == ReportKind::Run ? "studies" : "runs") + " only; remove it");
+    }
+}
+
 /// Reads the template and its logo into the request, and adds both to the inputs.
-void takeTemplate(const std::filesystem::path& path, ReportRequest& request) {
+void takeTemplate(const std::filesystem::path& path, ReportKind kind, ReportRequest& request) {
     const std::string text = readTextFile(path, {longestTemplate, "give the name of a text file", "shorten its texts"});
     TemplateReading reading = readTemplate(text);
     if (!reading.layout) throw CannotRead("cannot use " + path.string() + ": " + reading.problem);
+    requireSections(path, *reading.layout, kind);
     request.layout = std::move(*reading.layout);
     request.inputs.push_back({"template", path.filename().string(), sha256(text)});
     if (request.layout.logo.empty()) return;
@@ -71,21 +92,60 @@ void takeTemplate(const std::filesystem::path& path, ReportRequest& request) {
     request.logo = std::move(picture);
 }
 
-ReportRequest requestOf(const ReportOptions& options, const RunStore& store) {
+/// What the reports of runs and of studies have in common.
+ReportRequest requestOf(const ReportOptions& options, ReportKind kind) {
     ReportRequest request;
+    request.layout = defaultTemplate(kind);
     request.project = options.project;
     request.author = options.author;
     request.date = options.date;
-    request.given = storedScene(options.run);
-    request.runName = options.run.filename().string();
+    request.runName = nameOf(options.run);
     request.program = "Keyblock " + std::string(programVersion()) + ", build " + std::string(buildId());
-    request.runProgram = "Keyblock " + store.programVersion();
     request.verification = verificationStatement(readVerificationRecord(verificationRecordPath()));
+    return request;
+}
+
+ReportDocument runReport(const ReportOptions& options) {
+    const RunStore store(options.run);
+    warnOfMissingResults(store, options.run);
+    ReportRequest request = requestOf(options, ReportKind::Run);
+    request.given = storedScene(options.run);
+    request.runProgram = "Keyblock " + store.programVersion();
     request.inputs = {{"scene", "in the run store, as JSON with its records", store.sceneHash()},
                       {"run store", request.runName, sha256OfFile(options.run)}};
-    if (options.layout) takeTemplate(*options.layout, request);
+    if (options.layout) takeTemplate(*options.layout, ReportKind::Run, request);
     request.commands = {"keyblock run SCENE.json --out " + quotedWord(options.run.string()), reportCommand(options)};
-    return request;
+    return reportOf(store, request);
+}
+
+/// The figures that `sweep collect` wrote, in order of their names.
+std::vector<StudyFigure> collectedFigures(const std::filesystem::path& study) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;  // a study without figures
+    for (const auto& entry : std::filesystem::directory_iterator(study / "figures", none))
+        if (entry.path().extension() == ".svg") files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::vector<StudyFigure> figures;
+    for (const std::filesystem::path& file : files)
+        figures.push_back({file.stem().string(),
+                           readTextFile(file, {longestLogo, "collect the study again", "collect the study again"})});
+    return figures;
+}
+
+ReportDocument studyReport(const ReportOptions& options) {
+    const Sweep sweep = openSweep(options.run);
+    const SweepResults results = collectResults(sweep, sweepRunOf(sweep, 1).quantities);
+    ReportRequest request = requestOf(options, ReportKind::Study);
+    request.inputs = {{"scene", sweepSceneName, sweep.plan.sceneHash},
+                      {"study", sweepStudyName, sweep.plan.studyHash},
+                      {"cases", sweepCasesName, sweep.plan.casesHash}};
+    if (options.layout) takeTemplate(*options.layout, ReportKind::Study, request);
+    const std::string folder = quotedWord(options.run.string());
+    const std::string all = std::to_string(sweep.plan.cases);
+    request.commands = {"keyblock sweep plan STUDY.json --out " + folder,
+                        "keyblock sweep run " + folder + " --index 1-" + all, "keyblock sweep collect " + folder,
+                        reportCommand(options)};
+    return studyReportOf(sweep, results, collectedFigures(options.run), request);
 }
 
 }  // namespace
@@ -104,11 +164,9 @@ ExitCode perform([[maybe_unused]] const ReportOptions& options) {
     if (options.layout) sources.push_back(*options.layout);
     const OutputFile file{options.out, options.overwrite};
     if (!mayBeWritten({&file, 1}, sources)) return Usage;
-    const RunStore store(options.run);
-    warnOfMissingResults(store, options.run);
-    const ReportRequest request = requestOf(options, store);
     try {
-        const ReportDocument document = reportOf(store, request);
+        const ReportDocument document = std::filesystem::is_directory(options.run) ? studyReport(options)
+                                                                                   : runReport(options);
         const std::string bytes = ending == ".pdf" ? reportPdf(document) : reportHtml(document);
         writeAtomically(options.out, [&](std::ostream& out) { out << bytes; });
     } catch (const CannotDraw& problem) {

@@ -163,6 +163,33 @@ TEST_F(Reports, AsPdfHaveTheSameBytesInEveryProcess) {
     EXPECT_EQ(content("r.pdf"), pdf);
 }
 
+/// Of a study of a slope whose friction angle varies: statistics in place of sections.
+TEST_F(Reports, OfAStudyShowItsStatistics) {
+    put("scene.json", contentOf(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / "bolted-incline.json"));
+    put("study.json", R"({ "format": "keyblock-study", "version": 1, "title": "A <slope>", "scene": "scene.json",
+  "plan": { "cases": 12 },
+  "parameters": [ { "name": "friction", "path": "joint_materials.joint.friction_angle",
+                    "distribution": { "kind": "normal", "mean": 36, "deviation": 3 } } ],
+  "quantities": [ "max key.u" ], "fails": "not stands" })");
+    ASSERT_EQ(keyblock({"sweep", "plan", "study.json", "--out", "s"}).code, 0);
+    ASSERT_EQ(keyblock({"sweep", "run", "s", "--index", "1-12"}).code, 0);
+    ASSERT_EQ(keyblock({"sweep", "collect", "s"}).code, 0);
+    for (const std::string file : {"s.html", "s.pdf"}) {
+        const Ended ended = keyblock({"report", "s", "--out", file});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+    }
+    const std::string html = content("s.html");
+    EXPECT_NE(html.find("<h1>A &lt;slope&gt;</h1>"), std::string::npos);
+    EXPECT_NE(html.find("The probability of failure is "), std::string::npos);
+    EXPECT_NE(html.find("normal, mean 36, deviation 3"), std::string::npos);
+    EXPECT_NE(html.find("Convergence.</figcaption>"), std::string::npos);
+    EXPECT_NE(html.find(sha256(content("s/study.json"))), std::string::npos);
+    put("run.txt", "[bolts]\n");
+    const Ended ended = keyblock({"report", "s", "--out", "t.pdf", "--template", "run.txt"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("'bolts' applies to runs only"), std::string::npos) << ended.err;
+}
+
 #else
 
 TEST_F(Reports, AreNotMadeWithoutFigures) {

@@ -112,7 +112,8 @@ const std::vector<Room> rooms{
     {"ui/picture/charts", belowPictures({"ui/picture/section"})},
     {"ui/picture", {"solver/results", "solver/scene", "geometry"}},
     {"ui/figure", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
-    {"ui/report", {"ui/figure", "ui/picture", "solver/run", "solver/results", "solver/scene", "geometry"}},
+    {"ui/report",
+     {"ui/figure", "ui/picture", "solver/study", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/edit", {"solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/view", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/look", {"ui/picture", "solver/scene"}},
@@ -148,8 +149,8 @@ const std::vector<Room> rooms{
       "solver/scene", "geometry"}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify", "solver/files", "solver/run",
-      "solver/engine", "solver/results", "solver/scene", "geometry"}},
+     {"ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify", "solver/files",
+      "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
 };
 
 bool liesIn(const std::string& path, const std::string& folder) {

@@ -71,8 +71,9 @@ void addInputs(const ReportRequest& request, ReportSection& section) {
 
 void addCommands(const ReportRequest& request, ReportSection& section) {
     addText(section,
-            "These commands make the run and this report again, with the same numbers on the same build of the "
-            "program:");
+            "These commands make the results and this report again, with the same numbers on the same build of the "
+            "program. SCENE.json and STUDY.json are the files whose hashes are given among the inputs ('keyblock info' "
+            "prints the hash of the scene of a run).");
     for (const std::string& command : request.commands) addText(section, command, ReportTextKind::Command);
 }
 

@@ -30,6 +30,8 @@ using namespace report_page;
 constexpr int pdfUnitsPerInch = 508;  // 20 units per mm, as on `Paper`
 constexpr double bodyLine = 4.5, smallGap = 2.0, partGap = 5.0;  // [mm]
 constexpr double largestFigure = 205.0;  // height of a figure [mm]
+constexpr double halfPage = 116.0;  // height of figures of which two fit on a page, with their captions [mm]
+constexpr double leastShrink = 0.85;  // figures are reduced to `halfPage` by no more than this
 const TextStyle titleStyle{6.4, true}, headingStyle{4.2, true}, bodyStyle{3.1}, answerStyle{3.8, true},
     warningTextStyle{3.1, true, paper_theme::error}, commandStyle{2.6}, factStyle{3.1, false, paper_theme::softText},
     figureCaptionStyle{2.7, true}, footStyle{2.3, false, paper_theme::softText};
@@ -225,7 +227,9 @@ private:
 
     void add(const ReportFigure& figure) {
         const PaperPicture picture(figure.svg, "image/svg+xml", "the figure '" + figure.caption + "'");
-        const double wide = std::min(inner, largestFigure / picture.heightFor(1.0)), high = picture.heightFor(wide);
+        const double whole = std::min(inner, largestFigure / picture.heightFor(1.0));
+        const double half = halfPage / picture.heightFor(1.0);
+        const double wide = half < whole && half >= leastShrink * whole ? half : whole, high = picture.heightFor(wide);
         pieces_.push_back({high, [picture, wide, high](Ink& ink, double top) {
                                picture.draw(ink, {{left, top}, {left + wide, top + high}});
                            }});

@@ -89,10 +89,10 @@ private:
 
 }  // namespace
 
-ReportTemplate defaultTemplate() {
+ReportTemplate defaultTemplate(ReportKind kind) {
     ReportTemplate layout;
     for (const ReportContentRow& row : reportContents)
-        if (row.content != ReportContent::Text) layout.sections.push_back({row.content, ""});
+        if (row.content != ReportContent::Text && appliesTo(row, kind)) layout.sections.push_back({row.content, ""});
     return layout;
 }
 

@@ -16,6 +16,8 @@
 
 namespace keyblock {
 
+enum class ReportKind { Run, Study };
+
 enum class ReportContent {
     Summary,
     Sections,
@@ -26,6 +28,8 @@ enum class ReportContent {
     Events,
     Curves,
     Diagnostics,
+    Parameters,
+    Results,
     Verification,
     Inputs,
     Reproduce,
@@ -36,19 +40,22 @@ struct ReportContentRow {
     ReportContent content;
     std::string_view word;  // in templates
     std::string_view heading;
+    std::optional<ReportKind> only{};  // applies to reports of this kind only; null: to both
 };
 
-/// All contents, in the order of `ReportContent` and of a report without a template.
+/// All contents, in the order of `ReportContent` and of reports without a template.
 inline constexpr std::array reportContents{
     ReportContentRow{ReportContent::Summary, "summary", "Summary"},
-    ReportContentRow{ReportContent::Sections, "sections", "Section before and after"},
-    ReportContentRow{ReportContent::Model, "model", "Model and materials"},
-    ReportContentRow{ReportContent::Stages, "stages", "Stages"},
-    ReportContentRow{ReportContent::Numerics, "numerics", "Numerical settings and accuracy"},
-    ReportContentRow{ReportContent::Bolts, "bolts", "Bolts"},
-    ReportContentRow{ReportContent::Events, "events", "Events and their causes"},
-    ReportContentRow{ReportContent::Curves, "curves", "Curves"},
-    ReportContentRow{ReportContent::Diagnostics, "diagnostics", "Solver diagnostics"},
+    ReportContentRow{ReportContent::Sections, "sections", "Section before and after", ReportKind::Run},
+    ReportContentRow{ReportContent::Model, "model", "Model and materials", ReportKind::Run},
+    ReportContentRow{ReportContent::Stages, "stages", "Stages", ReportKind::Run},
+    ReportContentRow{ReportContent::Numerics, "numerics", "Numerical settings and accuracy", ReportKind::Run},
+    ReportContentRow{ReportContent::Bolts, "bolts", "Bolts", ReportKind::Run},
+    ReportContentRow{ReportContent::Events, "events", "Events and their causes", ReportKind::Run},
+    ReportContentRow{ReportContent::Curves, "curves", "Curves", ReportKind::Run},
+    ReportContentRow{ReportContent::Diagnostics, "diagnostics", "Solver diagnostics", ReportKind::Run},
+    ReportContentRow{ReportContent::Parameters, "parameters", "What varies", ReportKind::Study},
+    ReportContentRow{ReportContent::Results, "results", "Results of the cases", ReportKind::Study},
     ReportContentRow{ReportContent::Verification, "verification", "Verification"},
     ReportContentRow{ReportContent::Inputs, "inputs", "Inputs"},
     ReportContentRow{ReportContent::Reproduce, "reproduce", "How to make this report again"},
@@ -57,6 +64,8 @@ inline constexpr std::array reportContents{
 constexpr const ReportContentRow& rowOf(ReportContent content) {
     return reportContents.at(static_cast<std::size_t>(content));
 }
+
+constexpr bool appliesTo(const ReportContentRow& row, ReportKind kind) { return !row.only || *row.only == kind; }
 
 /// A section of a template.
 struct TemplateSection {
@@ -68,15 +77,15 @@ struct TemplateSection {
 };
 
 struct ReportTemplate {
-    std::string title;  // empty: that of the scene
+    std::string title;  // empty: that of the scene or study
     std::string logo;  // path of a picture as written in the template; empty: none
     std::vector<TemplateSection> sections;
 
     bool operator==(const ReportTemplate&) const = default;
 };
 
-/// The template of a report for which the user gives none: all contents.
-ReportTemplate defaultTemplate();
+/// The template of a report for which the user gives none: all contents that apply to it.
+ReportTemplate defaultTemplate(ReportKind kind = ReportKind::Run);
 
 struct TemplateReading {
     std::optional<ReportTemplate> layout;

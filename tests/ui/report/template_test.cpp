@@ -45,7 +45,11 @@ TEST(ReportTemplate, HasARowForEachContent) {
     }
     EXPECT_EQ(words.size(), reportContents.size());
     EXPECT_EQ(words.size(), static_cast<std::size_t>(ReportContent::Text) + 1);
-    EXPECT_EQ(defaultTemplate().sections.size(), words.size() - 1);
+    for (const ReportKind kind : {ReportKind::Run, ReportKind::Study})
+        for (const TemplateSection& section : defaultTemplate(kind).sections)
+            EXPECT_TRUE(appliesTo(rowOf(section.content), kind)) << rowOf(section.content).word;
+    EXPECT_EQ(defaultTemplate().sections.size(), words.size() - 3);  // two of studies, and texts
+    EXPECT_EQ(defaultTemplate(ReportKind::Study).sections.size(), 6U);
 }
 
 TEST(ReportTemplate, RecognisesPictures) {
