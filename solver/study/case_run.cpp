@@ -17,6 +17,7 @@
 #include "solver/run/checkpoint_check.h"
 #include "solver/run/safety.h"
 #include "solver/scene/enum_names.h"
+#include "solver/study/case_starts.h"
 #include "solver/study/case_table.h"
 #include "solver/study/failure_criterion.h"
 #include "solver/study/folder_lock.h"
@@ -29,6 +30,7 @@
 #include <array>
 #include <chrono>
 #include <new>
+#include <stdexcept>
 
 namespace keyblock {
 
@@ -71,8 +73,10 @@ std::vector<std::string> ownQuantities(const std::string& sceneText) {
 /// One case while it is run.
 class RunningCase {
 public:
-    RunningCase(const SweepRun& run, long number, Control& control, SweepCaseResult& result)
-        : run_(run), study_(run.sweep.study), number_(number), control_(control), result_(result),
+    /// \param row the cells of the case in the table of cases.
+    RunningCase(const SweepRun& run, long number, std::vector<std::string> row, Control& control,
+                SweepCaseResult& result)
+        : row_(std::move(row)), run_(run), study_(run.sweep.study), number_(number), control_(control), result_(result),
           store_(caseFolder(run.sweep.folder, number) / "run.kbrun") {}
 
     /// \return false if it was interrupted.
@@ -106,9 +110,7 @@ private:
 
     /// \return false if the case has no valid scene, which is its result.
     bool readScene() {
-        const std::vector<std::string> row = readCaseRow(run_.sweep.folder / sweepCasesName, number_,
-                                                         study_.parameters.size());
-        std::vector<std::string> overrides = overridesOf(study_, row);
+        std::vector<std::string> overrides = overridesOf(study_, row_);
         overrides.push_back(quantitiesOverride(run_.recorded));
         read_ = readSceneText(run_.sweep.sceneText, sweepSceneName, overrides, std::nullopt);
         if (read_.scene && !study_.faults.empty()) addFaults();
@@ -150,12 +152,17 @@ private:
     bool runScene() {
         const Resumption from = resumption();
         if (from.finished) return true;
+        const CaseStarts starts(store_.parent_path(), from.checkpoint ? from.checkpoint->written.historyRows : -1);
+        if (starts.isHopeless())
+            throw std::runtime_error("the program ended without a result " + std::to_string(mostStarts) +
+                                     " times at the same point of the run; it may lack memory");
         std::vector<StageResult> stages;
         try {
             stages = runInto(from.checkpoint);
         } catch (const UnfitCheckpoint&) {
             stages = runInto(std::nullopt);
         }
+        starts.forget();
         return std::ranges::none_of(stages, [](const StageResult& r) { return r.outcome == Outcome::Stopped; });
     }
 
@@ -212,6 +219,7 @@ private:
         return true;
     }
 
+    std::vector<std::string> row_;
     const SweepRun& run_;
     const Study& study_;
     long number_;
@@ -238,8 +246,6 @@ bool performed(RunningCase& running, SweepCaseResult& result) {
     try {
         return running.perform();
     } catch (const CannotWrite&) {
-        throw;
-    } catch (const CannotRead&) {
         throw;
     } catch (const std::bad_alloc&) {
         failed("out of memory");
@@ -271,18 +277,22 @@ CaseEnd runCase(const SweepRun& run, long number, Control& control, SweepCaseRes
     const fs::path folder = caseFolder(run.sweep.folder, number);
     makeFolder(folder);
     const FolderLock lock(folder);
-    if (!lock.isHeld()) return CaseEnd::Busy;
+    std::error_code error;
+    if (!lock.isHeld() || fs::exists(summaryPath(run.sweep.folder, number), error)) return CaseEnd::Busy;
     result = {};
     result.number = number;
     const double cpu = cpuSecondsSoFar();
     const auto begun = std::chrono::steady_clock::now();
-    RunningCase running(run, number, control, result);
+    RunningCase running(run, number,
+                        readCaseRow(run.sweep.folder / sweepCasesName, number, run.sweep.study.parameters.size()),
+                        control, result);
     if (!performed(running, result)) return CaseEnd::Interrupted;
     running.decide();
     if (result.values.empty())
         result.values.assign(run.quantities.size(), Measurement{std::nullopt, "the case has no results", {}});
     result.faultMeasures.resize(run.sweep.study.faults.size());
     running.settleStore();
+    fs::remove(folder / "starts", error);
     result.cpuSeconds = cpuSecondsSoFar() - cpu;
     result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     result.host = hostName();

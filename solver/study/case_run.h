@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-enum class CaseEnd { Done, Interrupted, Busy };  // busy: another process runs the case
+enum class CaseEnd { Done, Interrupted, Busy };  // busy: another process runs the case, or has just finished it
 
 /// A sweep with what all its cases share.
 struct SweepRun {
