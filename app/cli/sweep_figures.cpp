@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace keyblock::cli {
 
@@ -70,7 +71,7 @@ public:
         if (!convergence(results_).empty()) put("convergence", [&] { return convergenceFigure(); });
     }
 
-    long count() const { return count_; }
+    long count() const { return static_cast<long>(names_.size()); }
 
 private:
     template <typename Draw>
@@ -78,7 +79,7 @@ private:
         try {
             const std::string bytes = draw();
             writeAtomically(folder_ / (name + ".svg"), [&](std::ostream& out) { out << bytes; });
-            ++count_;
+            names_.insert(name);
         } catch (const CannotDraw& problem) {
             print("no figure " + name + ": " + problem.what() + "\n");
         }
@@ -144,7 +145,7 @@ private:
     const SweepResults& results_;
     fs::path folder_;
     std::string title_;
-    long count_ = 0;
+    std::set<std::string> names_;  // of the figures drawn
 };
 
 #endif

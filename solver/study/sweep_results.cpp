@@ -5,6 +5,7 @@
 #include "solver/files/read_error.h"
 #include "solver/files/sha256.h"
 #include "solver/files/text_file.h"
+#include "solver/scene/quantity_text.h"
 #include "solver/study/case_table.h"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ void addResultColumns(SweepResults& results, const Study& study) {
     for (std::size_t q = 0; q < results.quantities.size(); ++q) {
         if (results.quantities[q] == "factor_of_safety") continue;
         results.columns.push_back(
-            columnOf(results, results.quantities[q], ColumnRole::Result, [q](const SweepCaseResult& one) {
+            columnOf(results, results.titles[q], ColumnRole::Result, [q](const SweepCaseResult& one) {
                 return hasResults(one) && q < one.values.size() ? one.values[q].value : std::nullopt;
             }));
     }
@@ -97,11 +98,29 @@ long SweepResults::finished() const {
     return std::ranges::count_if(cases, [](const auto& one) { return one.has_value(); });
 }
 
+std::string columnTitle(const std::string& quantity, const Scene& scene) {
+    const QuantityReading reading = readQuantity(quantity, scene);
+    const auto ofBolt = [](BoltQuantity which) {
+        const BoltQuantityRow& row = rowOf(which);
+        return std::string(row.column.substr(row.key.size()));
+    };
+    if (!reading.quantity) return quantity;
+    const Subject& subject = reading.quantity->subject;
+    if (subject.bolt >= 0) return quantity + ofBolt(subject.boltQuantity);
+    if (subject.monitor < 0) return quantity;
+    const Monitor& monitor = scene.monitors[subject.monitor];
+    return quantity + (monitor.bolt ? ofBolt(monitor.quantity) : "_m");
+}
+
 SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& quantities) {
     SweepResults results;
     for (const StudyParameter& parameter : sweep.study.parameters) results.parameters.push_back(parameter.name);
     results.cells = readCells(sweep);
     results.quantities = quantities;
+    const SceneReading scene = readSceneText(sweep.sceneText, sweepSceneName, {}, std::nullopt);
+    for (const std::string& quantity : quantities)
+        results.titles.push_back(scene.scene ? columnTitle(quantity, scene.cut ? scene.cut->scene : *scene.scene)
+                                             : quantity);
     results.criterion = sweep.study.fails;
     results.hasSafety = sweep.study.safety;
     for (long number = 1; number <= sweep.plan.cases; ++number) {

@@ -29,6 +29,7 @@ struct SweepResults {
     std::vector<std::vector<std::string>> cells;  // of the parameters, by case
     std::vector<std::optional<SweepCaseResult>> cases;  // none: not finished
     std::vector<std::string> quantities;
+    std::vector<std::string> titles;  // columns of the quantities, with SI units
     std::vector<SweepColumn> columns;  // parameters and faults first
     std::string criterion;  // of failure; empty: none
     bool hasSafety = false;
@@ -48,6 +49,9 @@ struct ConvergencePoint {
     double probability = 0.0;
     ChanceInterval interval;
 };
+
+/// A quantity as a column of a table: its text, and the SI unit where it has one. \param scene as solved
+std::string columnTitle(const std::string& quantity, const Scene& scene);
 
 /// Reads the results of all cases. \throws CannotRead if a file is damaged, or cases.csv is not the planned one
 SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& quantities);

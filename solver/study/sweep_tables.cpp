@@ -100,8 +100,8 @@ void writeResultsTable(const SweepResults& results, const Study& study, std::ost
     for (const StudyFault& fault : study.faults) csv.text(fault.name);
     csv.text("outcome").text("reason").text("stands");
     if (!results.criterion.empty()) csv.text("fails");
-    for (const std::string& quantity : results.quantities)
-        if (!hasOwnColumn(quantity)) csv.text(quantity);
+    for (std::size_t q = 0; q < results.quantities.size(); ++q)
+        if (!hasOwnColumn(results.quantities[q])) csv.text(results.titles[q]);
     if (results.hasSafety) csv.text("factor_of_safety").text("factor_of_safety_upper");
     csv.endRow();
     for (std::size_t i = 0; i < results.cases.size(); ++i) putCase(csv, results, study, i);
