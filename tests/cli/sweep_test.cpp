@@ -70,7 +70,7 @@ TEST_F(SweepCommand, EveryCaseFailsAsItsLimitEquilibriumSays) {
     ASSERT_EQ(keyblock({"sweep", "run", "s", "--index", "1-60"}).code, 0);
     const std::vector<std::string> rows = lines(collected("s"));
     ASSERT_EQ(rows.size(), 61u);
-    EXPECT_EQ(rows[0], "case,friction,missing,outcome,reason,stands,fails,max key.u,max B.axial_force");
+    EXPECT_EQ(rows[0], "case,friction,missing,outcome,reason,stands,fails,max key.u_m,max B.axial_force_N");
     int fails = 0, missing = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::vector<std::string> row = cells(rows[i]);
@@ -90,7 +90,7 @@ TEST_F(SweepCommand, EveryCaseFailsAsItsLimitEquilibriumSays) {
     EXPECT_EQ(summary["outcomes"]["done"], 60);
     EXPECT_TRUE(exists("s/statistics.csv") && exists("s/correlations.csv") && exists("s/convergence.csv"));
 #ifdef KEYBLOCK_HAS_FIGURES
-    for (const char* figure : {"convergence", "histogram-max-key.u", "tornado-fails", "scatter-friction-max-key.u"})
+    for (const char* figure : {"convergence", "histogram-max-key.u-m", "tornado-fails", "scatter-friction-max-key.u-m"})
         EXPECT_TRUE(exists("s/figures/" + std::string(figure) + ".svg")) << figure;
 #endif
 }
@@ -177,6 +177,44 @@ TEST_F(SweepCommand, AFinishedCaseIsSkippedAndAnInvalidOneIsARow) {
         if (exists(store)) {
             EXPECT_EQ(keyblock({"info", store}).code, 0);
         }
+    }
+}
+
+/// A case that ends its process each time must not keep a task from its other cases.
+TEST_F(SweepCommand, ACaseThatNeverEndsBecomesARow) {
+    putStudy(2);
+    plan("s");
+    std::filesystem::create_directories(folder() / "s/cases/0000/000001");
+    put("s/cases/0000/000001/starts", "-1 5\n");
+    ASSERT_EQ(keyblock({"sweep", "run", "s", "--index", "1-2"}).code, 0);
+    const std::vector<std::string> rows = lines(collected("s"));
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_NE(rows[1].find("ended without a result 5 times"), std::string::npos) << rows[1];
+    EXPECT_NE(rows[2].find(",done,"), std::string::npos) << rows[2];
+    EXPECT_EQ(status("s")["outcomes"]["error"], 1);
+}
+
+/// Plane sliding without cohesion: F = tan φ / tan α.
+TEST_F(SweepCommand, TheFactorOfSafetyOfEachCaseIsThatOfItsClosedForm) {
+    put("scene.json", contentOf(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / "slope-safety.json"));
+    put("study.json", R"({ "format": "keyblock-study", "version": 1, "scene": "scene.json",
+  "plan": { "kind": "full-factorial" }, "safety": true, "quantities": [ "stands" ],
+  "parameters": [ { "name": "friction", "path": "joint_materials.joint.friction_angle", "values": [30, 45] },
+                  { "path": "safety.tolerance", "values": [0.05] } ], "fails": "factor_of_safety < 1.2" })");
+    plan("s");
+    ASSERT_EQ(keyblock({"sweep", "run", "s", "--index", "1-2"}).code, 0);
+    const std::vector<std::string> rows = lines(collected("s"));
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0],
+              "case,friction,safety.tolerance,outcome,reason,stands,fails,factor_of_safety,factor_of_safety_upper");
+    for (std::size_t i = 1; i < 3; ++i) {
+        const std::vector<std::string> row = cells(rows[i]);
+        constexpr double degree = std::numbers::pi / 180.0;
+        const double factor = std::tan(std::stod(row[1]) * degree) / std::tan(35.0 * degree);
+        EXPECT_LE(std::stod(row[7]), 1.002 * factor) << rows[i];
+        EXPECT_GE(std::stod(row[8]), 0.998 * factor) << rows[i];
+        EXPECT_LE(std::stod(row[8]) - std::stod(row[7]), 0.05) << rows[i];
+        EXPECT_EQ(row[6] == "1", factor < 1.2) << rows[i];
     }
 }
 
