@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare presets fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -28,6 +28,7 @@ help:
 	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
 	@echo "make bench  measure time and memory of typical work; BENCH_JSON=FILE keeps the times of steps, LARGE=1 adds 5,000 blocks and more"
 	@echo "make bench-compare  compare two such files, OLD=FILE NEW=FILE WORSE=1.2; fails if a step has become slower"
+	@echo "make presets  measure what the presets change and save, and write resources/help/presets.md"
 	@echo "make fuzz   fuzz the scene reader, or with TARGET=cut|drawing the cut or the import, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
@@ -147,6 +148,12 @@ bench:
 
 bench-compare:
 	@/usr/bin/python3 tests/bench/speed/speed.py compare $(OLD) $(NEW) --worse $(or $(WORSE),1.2)
+
+presets:
+	@sh resources/install/debian.sh python3
+	$(call build,release)
+	/usr/bin/python3 tests/presets/presets.py measure build/release/keyblock --json build/release/presets.json
+	/usr/bin/python3 tests/presets/presets.py page build/release/presets.json resources/help/presets.md
 
 MINUTES ?= 60
 TARGET ?= scene

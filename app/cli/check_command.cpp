@@ -8,6 +8,7 @@
 #include "app/cli/json_answers.h"
 #include "app/cli/model_summary_listing.h"
 #include "app/cli/output.h"
+#include "app/cli/preset_listing.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/visible_text.h"
@@ -84,12 +85,13 @@ ExitCode perform(const CheckOptions& options) {
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
     const std::optional<ModelSummary> summary = modelSummaryOf(reading);
     if (options.json) {
-        print(checkJson(reading, summary));
+        print(checkJson(reading, summary, options.overrides));
         return hasErrors(reading.problems) ? Invalid : Done;
     }
     tellErrors(options.scene, reading.problems);
     if (reading.cut)
         tellCut(*reading.cut, options.all);
+    if (reading.scene) print(presetLines(reading.cut ? reading.cut->scene : *reading.scene, options.overrides));
     if (summary)
         print(modelSummaryLines(*summary));
     return hasErrors(reading.problems) ? Invalid : Done;

@@ -27,6 +27,7 @@ struct RunOptions {
     bool resume = false;  // resume the run in an existing run store
     bool overwrite = false;
     bool failOnCollapse = false;  // exit with `DoesNotStand` if the scene is not stable
+    bool estimateError = false;  // run again with finer settings and estimate the errors of the quantities
 };
 
 struct CheckOptions {

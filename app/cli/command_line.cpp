@@ -8,6 +8,7 @@
 #include "app/cli/output.h"
 #include "solver/files/program_version.h"
 #include "solver/results/tables.h"
+#include "solver/scene/enum_names.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -58,11 +59,31 @@ struct Options {
     BoltsOptions bolts;
 };
 
+std::string presetNames() {
+    std::string names;
+    for (const std::string_view word : presetWords) names += (names.empty() ? "" : "|") + std::string(word);
+    return names;
+}
+
+std::string presetProblem(const std::string& word) {
+    const bool known = std::find(presetWords.begin(), presetWords.end(), word) != presetWords.end();
+    return known ? "" : "'" + word + "' is not one of " + presetNames();
+}
+
+/// Adds --set and --preset, which stands for the first --set: it replaces the preset of the scene, and settings that are
+/// given stay.
 void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
     verb->add_option("--set", overrides, "Replace values of the scene before it is read; may be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->take_all();
+    verb->add_option_function<std::string>(
+            "--preset",
+            [&overrides](const std::string& word) { overrides.insert(overrides.begin(), "analysis.preset=" + word); },
+            "Numerical settings for a purpose, instead of the scene's preset; values that the scene gives or --set "
+            "replaces stay")
+        ->type_name(presetNames())
+        ->check(presetProblem);
 }
 
 template <typename VerbOptions>
@@ -96,6 +117,10 @@ void addRun(CLI::App& app, RunOptions& options) {
                                          "Resume an interrupted run; if there is none, start from the beginning");
     verb->add_flag("--overwrite", options.overwrite, "Replace an existing run store")->excludes(resume);
     verb->add_flag("--fail-on-collapse", options.failOnCollapse, "Exit with code 8 if the scene is not stable");
+    verb->add_flag(
+        "--estimate-error", options.estimateError,
+        "Run again with half the time step and with twice the divisions of the most loaded bolt, and estimate "
+        "the error of each quantity of interest");
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {

@@ -5,10 +5,12 @@
 // finite become null; text that is not valid UTF-8 is repaired.
 #include "app/cli/json_answers.h"
 
+#include "app/cli/preset_listing.h"
 #include "app/cli/summary_text.h"
 #include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
 #include "solver/results/event_groups.h"
+#include "solver/results/quantity.h"
 #include "solver/results/verdict.h"
 #include "solver/results/result_names.h"
 #include "solver/run/failed_parts.h"
@@ -213,6 +215,19 @@ Json modelSummaryJson(const ModelSummary& summary) {
             {"estimate", estimateJson(summary.estimate)}};
 }
 
+Json presetJson(const Analysis& analysis, std::span<const std::string> overrides) {
+    Json settings = Json::array();
+    for (const SettingInUse& setting : settingsInUse(analysis)) {
+        const auto* word = std::get_if<std::string>(&setting.value);
+        settings.push_back({{"key", setting.field->key},
+                            {"value", word ? Json(*word) : Json(std::get<double>(setting.value))},
+                            {"from", originOf(setting, overrides)}});
+    }
+    return {{"name", presetWords[static_cast<std::size_t>(analysis.preset)]},
+            {"text", presetText(analysis)},
+            {"settings", settings}};
+}
+
 Json problemsJson(std::span<const Problem> problems) {
     Json list = Json::array();
     for (const Problem& problem : problems)
@@ -230,10 +245,12 @@ std::string studyCheckJson(std::span<const Problem> problems, std::optional<long
     return dumped({{"problems", problemsJson(problems)}, {"cases", cases ? Json(*cases) : Json(nullptr)}}, 2);
 }
 
-std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary) {
+std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary,
+                      std::span<const std::string> overrides) {
     Json answer{{"problems", problemsJson(reading.problems)}};
     if (reading.cut && !reading.cut->sources.empty())
         answer["cut"] = cutJson(*reading.cut);
+    if (reading.scene) answer["preset"] = presetJson(reading.scene->analysis, overrides);
     if (summary)
         answer["census"] = modelSummaryJson(*summary);
     return dumped(answer, 2);
@@ -271,7 +288,8 @@ Json verdictJson(const RunSource& run, const Verdict& verdict) {
 Json warningsJson(const RunSource& run) {
     Json warnings = Json::array();
     for (const StageWarning& warning : stageWarnings(run))
-        warnings.push_back({{"stage", stageName(run.scene(), warning.stage)}, {"message", warning.text}});
+        warnings.push_back({{"stage", warning.stage < 0 ? Json(nullptr) : Json(stageName(run.scene(), warning.stage))},
+                            {"message", warning.text}});
     return warnings;
 }
 
@@ -283,6 +301,30 @@ Json worstBalanceJson(const RunSource& run, const std::optional<StageResult>& wo
             {"stage", stageName(run.scene(), worst->stage)}};
 }
 
+Json quantitiesJson(const RunSource& run, const std::vector<StageRecord>& records, const std::vector<Event>& events) {
+    const std::vector<HistoryRow> history = run.history();
+    const RecordedRun recorded{run.scene(), history, events, records};
+    Json list = Json::array();
+    for (const std::string& text : run.scene().quantities) {
+        const Measurement measurement = measure(text, recorded);
+        list.push_back({{"quantity", text},
+                        {"value", orNull(measurement.value)},
+                        {"order", measurement.order},
+                        {"problem", measurement.problem}});
+    }
+    return list;
+}
+
+Json estimateJson(const ErrorEstimate& estimate) {
+    Json quantities = Json::array();
+    for (const QuantityEstimate& one : estimate.quantities)
+        quantities.push_back({{"quantity", one.quantity},
+                              {"value", orNull(one.value)},
+                              {"error", orNull(one.error)},
+                              {"remark", one.remark}});
+    return {{"refinements", estimate.refinements}, {"quantities", quantities}};
+}
+
 Json looseJson(const RunSource& run, const std::vector<StageRecord>& records) {
     Json names = Json::array();
     for (const StageRecord& record : records)
@@ -292,7 +334,7 @@ Json looseJson(const RunSource& run, const std::vector<StageRecord>& records) {
 
 }  // namespace
 
-std::string infoJson(const RunStore& store) {
+std::string infoJson(const RunStore& store, const std::optional<ErrorEstimate>& estimate) {
     const std::vector<StageRecord> records = store.stages();
     Json stages = Json::array();
     for (const StageRecord& record : records)
@@ -305,6 +347,7 @@ std::string infoJson(const RunStore& store) {
     return dumped({{"title", store.scene().title},
                    {"program_version", store.programVersion()},
                    {"scene_hash", store.sceneHash()},
+                   {"preset", presetText(store.scene().analysis)},
                    {"stages", stages},
                    {"frames", store.frames().size()},
                    {"events", events},
@@ -314,7 +357,9 @@ std::string infoJson(const RunStore& store) {
                    {"verdict", verdictJson(store, verdictOf(records, store.scene()))},
                    {"worst_balance", worstBalanceJson(store, worstBalanced(records))},
                    {"warnings", warningsJson(store)},
-                   {"loose", looseJson(store, records)}},
+                   {"loose", looseJson(store, records)},
+                   {"quantities", quantitiesJson(store, records, happened)},
+                   {"estimated_errors", estimate ? estimateJson(*estimate) : Json(nullptr)}},
                   2);
 }
 

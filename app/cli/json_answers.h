@@ -7,6 +7,7 @@
 
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/scene/scene_file.h"
+#include "solver/results/quantity_estimate.h"
 #include "solver/results/run_comparison.h"
 #include "solver/run/model_summary.h"
 #include "solver/run/safety.h"
@@ -24,8 +25,10 @@ namespace keyblock::cli {
 /// min_width_m, open_blocks, splits, reports[] {kind, x_m, y_m, message}}`. If the scene has no errors, also `census
 /// {blocks, cells, plates, fixed, contacts, bolts, nodes, unknowns {blocks, plates, bolts}, left_out[] {what, why,
 /// saves}, estimate {seconds, seconds_least, seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name,
-/// steps, passes, least, most}, assumes[]}}`.
-std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary);
+/// steps, passes, least, most}, assumes[]}}`. `preset {name, text, settings[] {key, value, from}}`, where `from` is
+/// `preset`, `scene` or `--set`, of a scene without errors.
+std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary,
+                      std::span<const std::string> overrides);
 
 /// Output of `check` for a study: `problems[]` as above, and `cases`, null if there are errors.
 std::string studyCheckJson(std::span<const Problem> problems, std::optional<long> cases);
@@ -38,7 +41,10 @@ std::string studyCheckJson(std::span<const Problem> problems, std::optional<long
 /// unknown because a stage has not ended are null. Forces are per bolt; each is the value of largest magnitude over
 /// the run, with its sign. `use` is the utilisation of each strength (1: fully used), or null if the bolt does not
 /// have that strength.
-std::string infoJson(const RunStore& store);
+///
+/// `quantities[] {quantity, value, order[], problem}` are those of the scene. `preset` is the preset with the number of settings that were changed. `estimated_errors {refinements[], quantities[]
+/// {quantity, value, error, remark}}` is null unless `run --estimate-error` was used.
+std::string infoJson(const RunStore& store, const std::optional<ErrorEstimate>& estimate);
 
 /// Output of `compare`: `a {title, scene_hash, stands, unstable[], settled[]}, b {…}, blocks {shared, only_a, only_b},
 /// saved[] {block, block_b, falls_in, mode, stage, moved_m, weight_N, held_by[] {bolt, force_N, on}}, displacements[]

@@ -4,6 +4,7 @@
 // The command `run`: reads the scene, runs it into the store, reads the store back and
 // prints a summary. What is printed at the end has therefore been written to disk.
 #include "app/cli/cli_commands.h"
+#include "app/cli/estimate_listing.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/summary_text.h"
@@ -12,11 +13,13 @@
 #include "solver/files/run_store/resumption.h"
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/run_store/stored_estimate.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/results/verdict.h"
 #include "solver/results/result_names.h"
 #include "solver/run/checkpoint_check.h"
 #include "solver/run/run.h"
+#include "solver/trade/error_estimate.h"
 
 #include <algorithm>
 
@@ -76,6 +79,13 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
             printErrorLine("stage '" + stageName(scene, result.stage) + "': " + result.message + kept);
 }
 
+/// Prints the summary of a store. \return whether the scene is stable.
+bool tellResults(const fs::path& out, const std::map<int, double>& stageSeconds) {
+    const RunStore run(out);
+    print(summaryOf(run, stageSeconds) + "\nresults in " + out.string() + "\n");
+    return stands(run);
+}
+
 /// Runs the scene into its store, from the checkpoint if there is one. Returns the result of each stage.
 std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read, const RunOptions& options,
                                  const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
@@ -90,6 +100,34 @@ std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read
     store.close();
     stageSeconds = sink.stageSeconds();
     return results;
+}
+
+/// The results of a finished run that quantities are read from, with the last frame only.
+Results lastResults(const RunStore& run) {
+    Results results{run.columns(), run.history(), run.events(), {}, {}};
+    if (!run.frames().empty()) results.frames.push_back(run.frame(run.frames().size() - 1));
+    for (const StageRecord& record : run.stages())
+        if (record.ended) results.stages.push_back(record.result);
+    return results;
+}
+
+/// Runs the scene again with finer settings; prints and stores the estimated errors.
+ExitCode estimateInto(const fs::path& out, const Scene& scene, const RunOptions& options) {
+    Control control;
+    const StopSignals signals(control.stop);
+    const auto runFine = [&](const Scene& fine, const SceneCut& cut, const std::string& label, Sink& sink) {
+        ProgressSink progress(cut.scene, sink, chosenProgress(options.progress), label + ", ");
+        control.progress = [&](const Progress& now) { progress.update(now); };
+        keyblock::run(fine, progress, control, {options.threads, &cut});
+    };
+    const std::optional<ErrorEstimate> estimate = estimateErrors(scene, lastResults(RunStore(out)), runFine);
+    if (!estimate) {
+        printErrorLine("interrupted; the errors are not estimated; run again with --resume to estimate them");
+        return Interrupted;
+    }
+    storeEstimate(out, *estimate);
+    print(estimateLines(*estimate));
+    return Done;
 }
 
 }  // namespace
@@ -111,11 +149,12 @@ ExitCode perform(const RunOptions& options) {
             throw CannotRead("cannot resume " + out.string() + ": " + error.what() + " with --overwrite");
         }
     }
-    const RunStore run(out);
-    print(summaryOf(run, stageSeconds) + "\nresults in " + out.string() + "\n");
+    const bool isStable = tellResults(out, stageSeconds);
     const ExitCode code = exitCodeOf(results);
     tellWhyItEnded(code, *scene, results, out);
-    return code == Done && options.failOnCollapse && !stands(run) ? DoesNotStand : code;
+    if (code == Done && options.estimateError)
+        if (const ExitCode estimated = estimateInto(out, *scene, options); estimated != Done) return estimated;
+    return code == Done && options.failOnCollapse && !isStable ? DoesNotStand : code;
 }
 
 }  // namespace keyblock::cli

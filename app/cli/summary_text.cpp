@@ -12,6 +12,7 @@
 #include "solver/results/quantity.h"
 #include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/preset.h"
 #include "solver/scene/visible_text.h"
 
 #include <algorithm>
@@ -177,6 +178,7 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     const std::vector<HistoryRow> history = run.history();
     std::string text = run.scene().title.empty() ? "" : visibleText(run.scene().title) + "\n\n";
     text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n" + verdictText(run);
+    text += "preset  " + presetText(run.scene().analysis) + "\n";
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
     text += chainLines(run, events) + boltUseTable(run) + boltEnergyTable(run);
     const RecordedRun recorded{run.scene(), history, events, records};

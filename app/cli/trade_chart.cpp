@@ -5,7 +5,6 @@
 #include "app/cli/output.h"
 #include "solver/files/atomic_file.h"
 #include "solver/scene/number_text.h"
-#include "solver/trade/trade_errors.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
 #include "ui/figure/trade_figure.h"
@@ -17,21 +16,13 @@ namespace keyblock::cli {
 
 void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesystem::path& folder) {
     if (!trade.points.front().failure.empty()) return;
-    const TradePoint& reference = trade.points[trade.reference];
-    TradeChart chart;
+    TradeChart chart = tradeChartOf(trade);
     chart.title = "Accuracy and time: " + (scene.title.empty() ? "untitled scene" : scene.title);
     chart.subtitle =
         "Each dot is a run; its error is the largest of all quantities of interest, against the run with the "
         "finest settings (" +
-        rounded(reference.seconds) + " s).";
+        rounded(trade.points[trade.reference].seconds) + " s).";
     chart.foot = "Keyblock · keyblock trade";
-    for (std::size_t i = 0; i < trade.points.size(); ++i) {
-        if (static_cast<int>(i) == trade.reference && i != 0) continue;
-        const TradePoint& point = trade.points[i];
-        const bool onFront = isOnFront(trade, i);
-        chart.dots.push_back({point.seconds, largestError(point, reference, trade.quantities), point.axis,
-                              nameOf(point), onFront, onFront || i == 0});
-    }
     try {
         const std::string bytes = paintTrade(chart, PaperFormat::Svg);
         writeAtomically(folder / "trade.svg", [&](std::ostream& out) { out << bytes; });

@@ -54,6 +54,8 @@ std::string answer(const Trade& trade) {
     if (best < 0) return "no settings give all quantities within " + most + " of the finest run\n";
     std::string text = "recommended, within " + most + " of the finest run:\n" + sentenceOn(trade, best) + "\n";
     for (const std::string& set : trade.points[best].overrides) text += "  --set " + set + "\n";
+    if (const int preset = recommendedPreset(trade, recommendedError); preset >= 0 && preset != best)
+        text += "recommended preset:\n" + sentenceOn(trade, preset) + "\n";
     return text;
 }
 

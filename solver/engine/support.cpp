@@ -59,13 +59,13 @@ void addSupports(const Scene& scene, Model& model) {
         }
         const int block = rowHolding(model, blockWithPoint(scene, *support.point), *support.point - model.origin);
         const BlockModel& body = model.blocks[block];
-        const double stiffness = scene.analysis.penaltyRatio * body.youngsModulus * model.thickness;
+        const double stiffness = model.numerics.penaltyRatio * body.youngsModulus * model.thickness;
         model.supports.push_back({block, *support.point - model.origin - body.centroid, support.fix != Fix::Y,
                               support.fix != Fix::X, stiffness});
     }
     for (const auto& [corner, axes] : corners) {
         const BlockModel& body = model.blocks[corner.first];
-        const double stiffness = scene.analysis.penaltyRatio * body.youngsModulus * model.thickness;
+        const double stiffness = model.numerics.penaltyRatio * body.youngsModulus * model.thickness;
         model.supports.push_back({corner.first, body.shape[corner.second], axes.first,
                               axes.second, stiffness});
     }

@@ -5,6 +5,7 @@
 #include "solver/results/result_names.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/preset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,8 @@ Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene) {
 
 std::vector<StageWarning> stageWarnings(const RunSource& run) {
     std::vector<StageWarning> warnings;
+    if (const std::string_view text = presetWarning(run.scene().analysis.preset); !text.empty())
+        warnings.push_back({-1, std::string(text)});
     for (const StageRecord& record : run.stages()) {
         if (!record.ended) continue;
         const StageResult& result = record.result;

@@ -30,11 +30,11 @@ Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene);
 
 /// Reason to doubt the numerical results of a stage.
 struct StageWarning {
-    int stage = 0;
+    int stage = 0;  // −1: of all stages
     std::string text;  // without a full stop
 };
 
-/// Warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block, as a
+/// What the preset of the run must say, then warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block, as a
 /// fraction of the block's weight, exceeds `until.body`, and another if its energy balance error exceeds 1 %.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 

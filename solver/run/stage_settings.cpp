@@ -7,6 +7,7 @@
 #include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/preset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
 }
 
 double sleepTolerance(const Scene& scene) {
-    return scene.analysis.modelEverything ? 0.0 : scene.analysis.sleepTolerance;
+    return scene.analysis.modelEverything ? 0.0 : numericsOf(scene.analysis).sleepTolerance;
 }
 
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
@@ -46,7 +47,7 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
     settings.scheme = inertiaOf(stage.integration.value_or(scene.analysis.integration));
     settings.rhoInf = stage.rhoInf.value_or(scene.analysis.rhoInf);
     settings.damping = scene.analysis.damping;
-    settings.timeStep = stage.timeStep.value_or(automaticTimeStep(stage));
+    settings.timeStep = stage.timeStep.value_or(automaticTimeStep(scene, stage));
     return settings;
 }
 

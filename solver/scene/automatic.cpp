@@ -4,6 +4,7 @@
 
 #include "solver/scene/acceleration.h"
 #include "solver/scene/bolt_steel.h"
+#include "solver/scene/preset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,12 @@ double innerSquared(const BoltType& type) {
 
 }  // namespace
 
-double automaticUnbalanced(const Scene& scene) { return std::min(equilibrium, scene.analysis.tolerance); }
+double automaticUnbalanced(const Scene& scene) { return std::min(equilibrium, numericsOf(scene.analysis).tolerance); }
 
-double automaticTimeStep(const Stage& stage) {
-    return std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
+double automaticTimeStep(const Scene& scene, const Stage& stage) {
+    const double factor = numericsOf(scene.analysis).timeStepFactor;
+    const double longest = factor * std::min(longestTimeStep, stage.duration / fewestSteps);
+    return std::min(longest, std::min(1.0, factor) * longestStepFor(stage));
 }
 
 double automaticSecondMoment(const BoltType& type) {

@@ -20,7 +20,7 @@ inline constexpr int automaticIterations = 20000;  // for `limits.iterations`
 double automaticUnbalanced(const Scene& scene);
 
 /// Automatic value of the longest time step [s] of a dynamic stage.
-double automaticTimeStep(const Stage& stage);
+double automaticTimeStep(const Scene& scene, const Stage& stage);
 
 /// Second moment of area [m⁴]: π/64·d⁴ for a solid bar of diameter d; π/64·(d⁴ − d_i⁴) for a tube of area A with the
 /// outer diameter d and the inner diameter d_i, where d_i² = d² − 4A/π.

@@ -23,6 +23,7 @@ inline constexpr std::array<std::string_view, 4> integrationWords{"shi", "backwa
                                                                      "generalized-alpha"};
 inline constexpr std::array<std::string_view, 2> iterationWords{"convex", "open-close"};
 inline constexpr std::array<std::string_view, 2> contactMethodWords{"penalty", "augmented-lagrangian"};
+inline constexpr std::array<std::string_view, 4> presetWords{"sketch", "draft", "engineering", "reference"};
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
 inline constexpr std::array<std::string_view, 2> rotationWords{"held", "free"};
 inline constexpr std::array<std::string_view, 2> stageKindWords{"static", "dynamic"};
@@ -62,6 +63,7 @@ constexpr Words wordsOf(Plane) { return planeWords; }
 constexpr Words wordsOf(Integration) { return integrationWords; }
 constexpr Words wordsOf(Iteration) { return iterationWords; }
 constexpr Words wordsOf(ContactMethod) { return contactMethodWords; }
+constexpr Words wordsOf(Preset) { return presetWords; }
 constexpr Words wordsOf(Fix) { return fixWords; }
 constexpr Words wordsOf(Rotation) { return rotationWords; }
 constexpr Words wordsOf(StageKind) { return stageKindWords; }

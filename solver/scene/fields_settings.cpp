@@ -5,6 +5,7 @@
 // scene, analysis settings, monitors, output and run limits.
 #include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
+#include "solver/scene/preset.h"
 
 namespace keyblock {
 
@@ -14,6 +15,12 @@ constexpr std::string_view numerical = translatable("Fields", "Numerical setting
 constexpr std::string_view noLimit = translatable("Fields", "no limit");
 
 double usualIterations(const Scene&) { return automaticIterations; }
+
+/// What a run uses for a setting that the scene leaves to its preset.
+template <auto member>
+FieldValue ofPreset(const Scene& scene) {
+    return rows::toValue(numericsOf(scene.analysis).*member);
+}
 
 }  // namespace
 
@@ -77,43 +84,76 @@ const Structure& structureOf(const Analysis*) {
                                     {.unit = "m/s²", .range = within(-1e6, 1e6), .emptyIsZero = true}),
             row<&Analysis::integration>("integration", "Time integration of dynamic stages that give none.",
                                         {.heading = numerical, .isRare = true}),
-            row<&Analysis::rhoInf>("rho_inf",
-                                   "Spectral radius of `generalized-alpha` at infinite frequency: the share of very "
-                                   "stiff motion that a step keeps, in stages that give none. 1: nothing is damped, 0: "
-                                   "all of it.",
-                                   {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .heading = numerical,
-                                    .isRare = true}),
+            row<&Analysis::rhoInf>(
+                "rho_inf",
+                "Spectral radius of `generalized-alpha` at infinite frequency: the share of very "
+                "stiff motion that a step keeps, in stages that give none. 1: nothing is damped, 0: "
+                "all of it.",
+                {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .heading = numerical, .isRare = true}),
             row<&Analysis::damping>("damping", "Rayleigh damping of dynamic stages."),
+            row<&Analysis::preset>("preset",
+                                   "Numerical settings for a purpose. Each of those below that is null, and automatic "
+                                   "time steps and divisions, are determined by it.",
+                                   {.heading = numerical}),
             row<&Analysis::penaltyRatio>("penalty_ratio",
                                          "Stiffness of a contact spring divided by Young's modulus × thickness.",
-                                         {.range = above(0), .heading = numerical, .isRare = true}),
+                                         {.range = above(0),
+                                          .heading = numerical,
+                                          .isRare = true,
+                                          .automatic = automatic<ofPreset<&Numerics::penaltyRatio>>}),
             row<&Analysis::shearRatio>("shear_ratio", "Shear over normal stiffness of contacts.",
                                        {.range = above(0), .heading = numerical, .isRare = true}),
-            row<&Analysis::tolerance>("tolerance", "Unbalanced force divided by the acting forces at which an "
-                                                   "iteration is accepted.",
+            row<&Analysis::tolerance>("tolerance",
+                                      "Unbalanced force divided by the acting forces at which an "
+                                      "iteration is accepted.",
                                       {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
-                                       .heading = numerical, .isRare = true}),
-            row<&Analysis::maxPasses>("max_passes", "Maximum number of iterations of a step before the time step or "
-                                                    "increment is reduced.",
-                                      {.label = translatable("Fields", "Max. iterations"), .range = within(1, 100000),
-                                       .heading = numerical, .isRare = true}),
-            row<&Analysis::iteration>("iteration",
-                                      "How the states of contacts are found: by minimising the step's convex energy, or "
-                                      "by the classical open–close iteration, for small reference scenes.",
-                                      {.heading = numerical, .isRare = true}),
-            row<&Analysis::contact>("contact",
-                                    "How contacts are kept closed: by penalty springs, or by forces that are iterated "
-                                    "in each step until nothing penetrates.", {.heading = numerical, .isRare = true}),
+                                       .heading = numerical,
+                                       .isRare = true,
+                                       .automatic = automatic<ofPreset<&Numerics::tolerance>>}),
+            row<&Analysis::maxPasses>("max_passes",
+                                      "Maximum number of iterations of a step before the time step or "
+                                      "increment is reduced.",
+                                      {.label = translatable("Fields", "Max. iterations"),
+                                       .range = within(1, 100000),
+                                       .heading = numerical,
+                                       .isRare = true,
+                                       .automatic = automatic<ofPreset<&Numerics::maxPasses>>}),
+            row<&Analysis::iteration>(
+                "iteration",
+                "How the states of contacts are found: by minimising the step's convex energy, or "
+                "by the classical open–close iteration, for small reference scenes.",
+                {.heading = numerical, .isRare = true}),
+            row<&Analysis::contact>(
+                "contact",
+                "How contacts are kept closed: by penalty springs, or by forces that are iterated "
+                "in each step until nothing penetrates.",
+                {.heading = numerical, .isRare = true, .automatic = automatic<ofPreset<&Numerics::contact>>}),
             row<&Analysis::sleepTolerance>(
                 "sleep_tolerance",
                 "Unbalanced force on a block, divided by its weight, up to which the block may sleep in dynamic stages: a "
                 "block that has come to rest is left out of the steps until the force on it changes by more. 0: no block "
                 "sleeps.",
-                {.range = {.least = 0.0, .most = 1.0}, .heading = numerical, .isRare = true}),
-            row<&Analysis::modelEverything>("model_everything",
-                                            "Whether parts that do not affect the results are modelled as well, such as "
-                                            "sleeping blocks. For comparison; it takes longer.",
-                                            {.heading = numerical, .isRare = true}),
+                {.range = {.least = 0.0, .most = 1.0},
+                 .heading = numerical,
+                 .isRare = true,
+                 .automatic = automatic<ofPreset<&Numerics::sleepTolerance>>}),
+            row<&Analysis::timeStepFactor>("time_step_factor",
+                                           "Factor on the time steps of dynamic stages that give none.",
+                                           {.range = within(1e-3, 1e3),
+                                            .heading = numerical,
+                                            .isRare = true,
+                                            .automatic = automatic<ofPreset<&Numerics::timeStepFactor>>}),
+            row<&Analysis::divisionsFactor>("divisions_factor",
+                                            "Factor on the number of elements of bolts that give no divisions.",
+                                            {.range = within(0.01, 100),
+                                             .heading = numerical,
+                                             .isRare = true,
+                                             .automatic = automatic<ofPreset<&Numerics::divisionsFactor>>}),
+            row<&Analysis::modelEverything>(
+                "model_everything",
+                "Whether parts that do not affect the results are modelled as well, such as "
+                "sleeping blocks. For comparison; it takes longer.",
+                {.heading = numerical, .isRare = true}),
         }};
     return structure;
 }

@@ -22,8 +22,8 @@ double usualSmallest(const Scene&) { return automaticSmallest; }
 double mostIterations(const Scene& scene) { return scene.limits.iterations.value_or(automaticIterations); }
 double rhoInfOf(const Scene& scene) { return scene.analysis.rhoInf; }
 FieldValue integrationOf(const Scene& scene) { return rows::toValue(scene.analysis.integration); }
-FieldValue timeStepOf(const Scene&, const Stage& stage) {
-    return stage.duration > 0.0 ? FieldValue(automaticTimeStep(stage)) : FieldValue();
+FieldValue timeStepOf(const Scene& scene, const Stage& stage) {
+    return stage.duration > 0.0 ? FieldValue(automaticTimeStep(scene, stage)) : FieldValue();
 }
 
 // In a static stage, time is pseudo-time and has no unit. Only rows of stages may use this.

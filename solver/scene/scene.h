@@ -28,6 +28,7 @@ enum class Plane { Stress, Strain };
 enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
 enum class Iteration { Convex, OpenClose };
 enum class ContactMethod { Penalty, AugmentedLagrangian };
+enum class Preset { Sketch, Draft, Engineering, Reference };
 
 /// Rayleigh damping of dynamic stages. A body of mass M and velocity v is subject to the damping force `mass`·M·v. In
 /// blocks and bolt shanks, the damping stress is `stiffness` times the elastic stiffness times the strain rate.
@@ -38,7 +39,7 @@ struct Damping {
     bool operator==(const Damping&) const = default;
 };
 
-/// Settings of the whole analysis.
+/// Settings of the whole analysis. Those that are null are determined by the preset (solver/scene/preset).
 struct Analysis {
     Plane plane = Plane::Strain;
     double thickness = 1.0;  // [m]
@@ -47,12 +48,15 @@ struct Analysis {
     double rhoInf = 0.8;  // generalised-α: spectral radius at infinite frequency; of stages that do not set their own
     Damping damping;
     Iteration iteration = Iteration::Convex;  // method that determines the contact states
-    ContactMethod contact = ContactMethod::Penalty;  // method that prevents penetration
-    double penaltyRatio = 40.0;  // contact stiffness = ratio · E · thickness
+    Preset preset = Preset::Engineering;
+    std::optional<ContactMethod> contact;  // method that prevents penetration
+    std::optional<double> penaltyRatio;  // contact stiffness = ratio · E · thickness
     double shearRatio = 0.4;  // ratio of shear to normal contact stiffness
-    double tolerance = 1e-4;  // iteration tolerance: unbalanced force relative to the acting forces
-    int maxPasses = 40;  // iterations of a step before the time step or increment is reduced
-    double sleepTolerance = 1e-3;  // unbalanced force on a sleeping block over its weight; 0: no block sleeps
+    std::optional<double> tolerance;  // iteration tolerance: unbalanced force relative to the acting forces
+    std::optional<int> maxPasses;  // iterations of a step before the time step or increment is reduced
+    std::optional<double> sleepTolerance;  // unbalanced force on a sleeping block over its weight; 0: no block sleeps
+    std::optional<double> timeStepFactor;  // times automatic time steps
+    std::optional<double> divisionsFactor;  // times the fineness of automatic divisions of bolts
     bool modelEverything = false;  // model parts that do not affect the results as well
 
     bool operator==(const Analysis&) const = default;

@@ -27,6 +27,7 @@ public:
             if (axis.refines && axis.ownSize > 0.0) trade_.ownSizes[axis.name] = axis.ownSize;
         }
         planned_ += 2 + combinedErrors.size();
+        trade_.planned = planned_;
     }
 
     bool all() {
@@ -43,7 +44,7 @@ private:
     bool add(const TradeSetting& setting) {
         ++done_;
         if (std::optional<TradePoint> before = settings_.known ? settings_.known(setting) : std::nullopt) {
-            take(std::move(*before));
+            take(std::move(*before), setting);
             return true;
         }
         if (const double expected = expectedSeconds(setting);
@@ -58,14 +59,15 @@ private:
         };
         std::optional<TradePoint> point = measurePoint(scene_, setting, trade_.quantities, run);
         if (!point) return false;
-        if (settings_.measured) settings_.measured(*point);
-        take(std::move(*point));
+        take(std::move(*point), setting);
+        if (settings_.measured) settings_.measured(trade_.points.back());
         return true;
     }
 
-    void take(TradePoint point) {
+    void take(TradePoint point, const TradeSetting& setting) {
         spent_ += point.seconds;
         trade_.points.push_back(std::move(point));
+        trade_.settings.push_back(setting);
     }
 
     /// What is run, e.g. "run 3 of 31, some 40 s left in all, divisions 60".
@@ -104,6 +106,8 @@ private:
                            [&](const TradeSetting* setting) { return add(*setting); });
     }
 
+    static bool isCombined(const TradeAxis& axis) { return axis.name != presetAxisName && axis.name != bondAxisName; }
+
     /// For each error that may be allowed, the cheapest setting of each axis that changes the results by no more than
     /// its share of it.
     bool addCombinations() {
@@ -111,7 +115,9 @@ private:
         for (const double error : combinedErrors) {
             std::vector<TradeSetting> cheap;
             for (const TradeAxis& axis : axes_)
-                if (const TradeSetting* setting = cheapest(axis, error / static_cast<double>(axes_.size())))
+                if (const TradeSetting* setting = isCombined(axis)
+                                                      ? cheapest(axis, error / static_cast<double>(axes_.size()))
+                                                      : nullptr)
                     cheap.push_back(*setting);
             const TradeSetting all = combined(combinationPoint, cheap);
             if (cheap.size() < 2 || std::count(made.begin(), made.end(), all.text)) continue;

@@ -25,6 +25,8 @@ struct Trade {
     std::vector<std::string> quantities;
     bool proposed = false;  // the scene names no quantities
     std::vector<TradePoint> points;  // the scene's own settings first
+    std::vector<TradeSetting> settings;  // of each point
+    std::size_t planned = 0;  // number of runs in all, while they are made; fewer if some are left out
     int reference = 0;  // point with the finest settings, with which all others are compared
     std::map<std::string, double> ownSizes;  // per axis: size of the scene's own setting, where it is known
     std::vector<TradeLeftOut> leftOut;

@@ -5,6 +5,7 @@
 #include "solver/scene/automatic.h"
 #include "solver/scene/enum_names.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/preset.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,8 @@ constexpr std::array penalties{0.1, 0.31622776601683794, 3.1622776601683794, 10.
 constexpr std::array cellSizes{2.0, 0.5};  // times the scene's own
 constexpr std::array sleepTolerances{1e-2, 1e-3, 0.0};
 constexpr double costPerDecade = 1.25;  // of the tolerance
-constexpr double costOfMultipliers = 3.0, costOfAwake = 5.0;
+constexpr double costOfMultipliers = 3.0, costOfAwake = 5.0, costOfOpenClose = 2.0;
+constexpr std::size_t mostOpenClose = 60;  // blocks of a scene on which the open–close iteration is tried
 
 bool hasStage(const Scene& scene, StageKind kind) {
     return std::any_of(scene.stages.begin(), scene.stages.end(),
@@ -71,13 +73,13 @@ TradeAxis timeStepAxis(const Scene& scene) {
         for (std::size_t i = 0; i < scene.stages.size(); ++i) {
             const Stage& stage = scene.stages[i];
             if (stage.kind != StageKind::Dynamic) continue;
-            const double step = factor * stage.timeStep.value_or(automaticTimeStep(stage));
+            const double step = factor * stage.timeStep.value_or(automaticTimeStep(scene, stage));
             setting.overrides.push_back(at("stages", i, "time_step", shortest(std::min(step, stage.duration))));
         }
         setting.apply = [factor](Scene& changed) {
             for (Stage& stage : changed.stages)
                 if (stage.kind == StageKind::Dynamic)
-                    stage.timeStep = std::min(factor * stage.timeStep.value_or(automaticTimeStep(stage)),
+                    stage.timeStep = std::min(factor * stage.timeStep.value_or(automaticTimeStep(changed, stage)),
                                               stage.duration);
         };
         axis.settings.push_back(std::move(setting));
@@ -102,7 +104,7 @@ TradeAxis incrementsAxis(const Scene& scene) {
 }
 
 TradeAxis toleranceAxis(const Scene& scene) {
-    const double own = scene.analysis.tolerance;
+    const double own = numericsOf(scene.analysis).tolerance;
     TradeAxis axis{"tolerance", {}, own, true};
     for (const double value : tolerances) {
         if (value == own) continue;
@@ -116,7 +118,7 @@ TradeAxis toleranceAxis(const Scene& scene) {
 }
 
 TradeAxis penaltyAxis(const Scene& scene) {
-    const double own = scene.analysis.penaltyRatio;
+    const double own = numericsOf(scene.analysis).penaltyRatio;
     TradeAxis axis{"penalty_ratio", {}, 1.0, true};
     for (const double factor : penalties) {
         const double value = factor * own;
@@ -133,7 +135,7 @@ TradeAxis penaltyAxis(const Scene& scene) {
 TradeAxis contactAxis(const Scene& scene) {
     TradeAxis axis{"contact", {}, 0.0, false};
     for (const ContactMethod method : {ContactMethod::Penalty, ContactMethod::AugmentedLagrangian}) {
-        if (method == scene.analysis.contact) continue;
+        if (method == numericsOf(scene.analysis).contact) continue;
         axis.settings.push_back(
             analysisSetting(axis.name, word(method), [method](Analysis& a) { a.contact = method; }));
         if (method == ContactMethod::AugmentedLagrangian) axis.settings.back().cost = costOfMultipliers;
@@ -158,6 +160,60 @@ TradeAxis cellsAxis(const Scene& scene) {
     return axis;
 }
 
+/// The classical iteration is for small scenes.
+TradeAxis iterationAxis(const Scene& scene) {
+    TradeAxis axis{"iteration", {}, 0.0, false};
+    for (const Iteration method : {Iteration::Convex, Iteration::OpenClose}) {
+        if (method == scene.analysis.iteration) continue;
+        axis.settings.push_back(
+            analysisSetting(axis.name, word(method), [method](Analysis& a) { a.iteration = method; }));
+        if (method == Iteration::OpenClose) axis.settings.back().cost = costOfOpenClose;
+    }
+    return axis;
+}
+
+TradeAxis presetAxis(const Scene& scene) {
+    TradeAxis axis{presetAxisName, {}, 0.0, false};
+    const double own = numericsOf(scene.analysis).timeStepFactor;
+    for (const Preset preset : {Preset::Sketch, Preset::Draft, Preset::Engineering, Preset::Reference}) {
+        if (preset == scene.analysis.preset) continue;
+        axis.settings.push_back(analysisSetting(axis.name, word(preset), [preset](Analysis& a) { a.preset = preset; }));
+        Analysis changed = scene.analysis;
+        changed.preset = preset;
+        axis.settings.back().cost = own / numericsOf(changed).timeStepFactor;
+    }
+    return axis;
+}
+
+/// Calls `change` for every list of anchors.
+template <typename Change>
+void forAnchors(Scene& scene, const Change& change) {
+    for (BoltType& type : scene.boltTypes) change(type.anchors);
+    for (Bolt& bolt : scene.bolts)
+        if (bolt.anchors) change(*bolt.anchors);
+}
+
+/// Softening bonds made brittle.
+TradeAxis bondAxis(const Scene& scene) {
+    TradeAxis axis{bondAxisName, {}, 0.0, false};
+    bool softens = false;
+    Scene bolts;
+    bolts.boltTypes = scene.boltTypes;
+    bolts.bolts = scene.bolts;
+    forAnchors(bolts, [&](const std::vector<Anchor>& anchors) {
+        for (const Anchor& anchor : anchors) softens = softens || anchor.softeningSlip > 0.0;
+    });
+    if (!softens) return axis;
+    TradeSetting setting{axis.name, "brittle", {}, {}};
+    setting.apply = [](Scene& changed) {
+        forAnchors(changed, [](std::vector<Anchor>& anchors) {
+            for (Anchor& anchor : anchors) anchor.softeningSlip = 0.0;
+        });
+    };
+    axis.settings.push_back(std::move(setting));
+    return axis;
+}
+
 /// Only if no dynamic stage chooses a scheme of its own.
 TradeAxis integrationAxis(const Scene& scene) {
     TradeAxis axis{"integration", {}, 0.0, false};
@@ -170,9 +226,9 @@ TradeAxis integrationAxis(const Scene& scene) {
 }
 
 TradeAxis sleepAxis(const Scene& scene) {
-    TradeAxis axis{sleepAxisName, {}, scene.analysis.sleepTolerance, false};
+    TradeAxis axis{sleepAxisName, {}, numericsOf(scene.analysis).sleepTolerance, false};
     for (const double value : sleepTolerances) {
-        if (value == scene.analysis.sleepTolerance) continue;
+        if (value == numericsOf(scene.analysis).sleepTolerance) continue;
         axis.settings.push_back(
             analysisSetting(axis.name, shortest(value), [value](Analysis& a) { a.sleepTolerance = value; }));
         if (value == 0.0) axis.settings.back().cost = costOfAwake;
@@ -203,10 +259,13 @@ std::vector<TradeAxis> tradeAxes(const Scene& scene, const TradeModel& model) {
         axes.push_back(cellsAxis(scene));
     axes.push_back(penaltyAxis(scene));
     axes.push_back(contactAxis(scene));
+    if (scene.blocks.size() <= mostOpenClose) axes.push_back(iterationAxis(scene));
     axes.push_back(toleranceAxis(scene));
     if (moves && !hasOwnScheme(scene)) axes.push_back(integrationAxis(scene));
     if (moves && !scene.analysis.modelEverything) axes.push_back(sleepAxis(scene));
     if (model.threads > 1) axes.push_back(threadsAxis(model.threads));
+    if (TradeAxis bond = bondAxis(scene); !bond.settings.empty()) axes.push_back(std::move(bond));
+    axes.push_back(presetAxis(scene));
     return axes;
 }
 

@@ -17,6 +17,12 @@ namespace keyblock {
 /// Axes that change the time of a run without changing its counted work.
 inline constexpr const char *sleepAxisName = "sleep_tolerance", *threadsAxisName = "threads";
 
+/// Axis of the presets.
+inline constexpr const char* presetAxisName = "preset";
+
+/// Axis that changes the rock bolts instead of the way in which they are computed: it is measured, never recommended.
+inline constexpr const char* bondAxisName = "bond";
+
 /// One value on an axis.
 struct TradeSetting {
     std::string axis;

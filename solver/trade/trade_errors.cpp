@@ -67,6 +67,18 @@ double signedError(double value, double reference) {
     return reference == 0.0 ? value : (value - reference) / std::abs(reference);
 }
 
+/// The fastest of some points with an error of at most `most`; −1 if there is none.
+template <typename Choice>
+int fastest(const Trade& trade, double most, const Choice& isChosen) {
+    int best = -1;
+    for (std::size_t i = 0; i < trade.points.size(); ++i) {
+        if (!isChosen(trade.points[i])) continue;
+        const bool good = largestError(trade.points[i], trade.points[trade.reference], trade.quantities) <= most;
+        if (good && (best < 0 || trade.points[i].seconds < trade.points[best].seconds)) best = static_cast<int>(i);
+    }
+    return best;
+}
+
 }  // namespace
 
 std::optional<double> errorOf(const TradePoint& point, const TradePoint& reference,
@@ -112,24 +124,25 @@ ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, s
 bool isOnFront(const Trade& trade, std::size_t point) {
     const TradePoint& reference = trade.points[trade.reference];
     const double error = largestError(trade.points[point], reference, trade.quantities);
-    if (std::isinf(error)) return false;
+    if (std::isinf(error) || trade.points[point].axis == bondAxisName) return false;
     return std::none_of(trade.points.begin(), trade.points.end(), [&](const TradePoint& other) {
         const double itsError = largestError(other, reference, trade.quantities);
-        return itsError <= std::max(error, leastError) && other.seconds < trade.points[point].seconds;
+        return other.axis != bondAxisName && itsError <= std::max(error, leastError) &&
+               other.seconds < trade.points[point].seconds;
     });
 }
 
 int recommendedPoint(const Trade& trade, double most) {
-    int best = -1;
-    for (std::size_t i = 0; i < trade.points.size(); ++i) {
-        const bool good = largestError(trade.points[i], trade.points[trade.reference], trade.quantities) <= most;
-        if (good && (best < 0 || trade.points[i].seconds < trade.points[best].seconds)) best = static_cast<int>(i);
-    }
-    return best;
+    return fastest(trade, most, [](const TradePoint& point) { return point.axis != bondAxisName; });
 }
 
+bool isPreset(const TradePoint& point) { return point.axis == presetAxisName || point.axis == ownPoint; }
+
+int recommendedPreset(const Trade& trade, double most) { return fastest(trade, most, isPreset); }
+
 std::string nameOf(const TradePoint& point) {
-    if (point.axis == ownPoint) return point.axis;
+    if (point.axis == ownPoint) return point.axis + (point.preset.empty() ? "" : " (" + point.preset + ")");
+    if (point.axis == presetAxisName) return point.setting;
     if (point.axis == combinationPoint) return point.setting;
     return point.axis + (point.axis == referencePoint ? ": " : " ") + point.setting;
 }
@@ -140,8 +153,8 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
     std::string text = nameOf(point) + ": ";
     if (index != 0) {
         const double faster = own.seconds / point.seconds;
-        text += faster >= 1.0 ? rounded(faster) + " × faster than the scene's own settings"
-                              : rounded(1.0 / faster) + " × slower than the scene's own settings";
+        const std::string than = " than " + (point.axis == presetAxisName ? own.preset : "the scene's own settings");
+        text += faster >= 1.0 ? rounded(faster) + " × faster" + than : rounded(1.0 / faster) + " × slower" + than;
     } else {
         text += rounded(point.seconds) + " s";
     }

@@ -35,7 +35,14 @@ bool isOnFront(const Trade& trade, std::size_t point);
 /// The fastest point with an error of at most `most`; −1 if there is none.
 int recommendedPoint(const Trade& trade, double most);
 
-/// One sentence on a point, to quote: how much faster than the scene's own settings, and the largest errors.
+/// Whether the point was measured with a preset, the scene's own included.
+bool isPreset(const TradePoint& point);
+
+/// The fastest preset with an error of at most `most`; −1 if there is none.
+int recommendedPreset(const Trade& trade, double most);
+
+/// One sentence on a point, to quote: how much faster than the scene's own settings, for a preset by the name of the
+/// scene's own, and the largest errors.
 std::string sentenceOn(const Trade& trade, std::size_t point);
 
 /// What the point is called in tables, e.g. "divisions 60".

@@ -47,6 +47,7 @@ Json json(const TradePoint& point) {
     return {{"axis", point.axis},
             {"setting", point.setting},
             {"set", point.overrides},
+            {"preset", point.preset},
             {"values", values},
             {"wall_s", point.seconds},
             {"steps", point.steps},
@@ -70,6 +71,7 @@ TradePoint pointOf(const Json& json) {
     json.at("axis").get_to(point.axis);
     json.at("setting").get_to(point.setting);
     json.at("set").get_to(point.overrides);
+    json.at("preset").get_to(point.preset);
     for (const Json& value : json.at("values")) point.values.push_back(measurementOf(value));
     json.at("wall_s").get_to(point.seconds);
     json.at("steps").get_to(point.steps);

@@ -107,6 +107,19 @@ std::string failures(const Trade& trade) {
     return text.empty() ? "" : "\n## Without a result\n\n" + text;
 }
 
+/// The presets that were measured, with the one to use.
+std::string presetSection(const Trade& trade) {
+    std::string text = "\n## Presets\n\n";
+    const int best = recommendedPreset(trade, recommendedError);
+    if (best < 0) text += "No preset gives all quantities within " + rounded(100.0 * recommendedError) + " %.\n\n";
+    for (const std::size_t i : byTime(trade)) {
+        if (!isPreset(trade.points[i])) continue;
+        const std::string sentence = sentenceOn(trade, i);
+        text += static_cast<int>(i) == best ? "- **" + sentence + " (recommended)**\n" : "- " + sentence + "\n";
+    }
+    return text;
+}
+
 std::string recommendation(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
     const std::string most = rounded(100.0 * recommendedError) + " %";
@@ -144,7 +157,7 @@ void writeTradeTable(const Trade& trade, const Scene& scene, std::ostream& out) 
             optional(point.values[q].value);
             optional(errorOf(point, trade.points[trade.reference], trade.quantities, q));
             csv.number(point.seconds).integer(point.steps).integer(point.passes).integer(point.work.factorizations);
-            csv.integer(point.unknowns).integer(onFront ? 1 : 0).text("");
+            csv.integer(point.unknowns).integer(onFront ? 1 : 0).text(point.preset);
             csv.text(orderText(convergenceOrder(trade, point.axis, q)));
             if (expected != scene.about.expected.end() && point.values[q].value)
                 csv.number(expected->value == 0.0 ? *point.values[q].value
@@ -171,7 +184,7 @@ std::string tradePage(const Trade& trade, const Scene& scene) {
         "On the front, no other settings are both faster and more accurate. All runs but those of *threads* use one "
         "thread.\n";
     if (trade.proposed) text += "\nThe scene names no `quantities`; these were chosen from its results.\n";
-    return text + "\n## Settings\n\n" + pointTable(trade) + orderTable(trade) + failures(trade);
+    return text + presetSection(trade) + "\n## Settings\n\n" + pointTable(trade) + orderTable(trade) + failures(trade);
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include "solver/engine/setup/make_model.h"
 #include "solver/results/result_names.h"
 #include "solver/run/model_summary.h"
+#include "solver/scene/preset.h"
 #include "solver/trade/peak_memory.h"
 
 #include <algorithm>
@@ -18,6 +19,12 @@ namespace {
 
 constexpr double movedShare = 0.1;  // of a block's size: a block that moved farther counts as moved
 constexpr std::size_t mostMonitors = 4;  // whose quantities are proposed
+
+/// Keeps the last frame only.
+class LastFrameSink : public MemorySink {
+public:
+    void frame(const Frame& frame) override { results.frames.assign(1, frame); }
+};
 
 ModelCounts countsOf(const Scene& solved) {
     const Model model = makeModel(solved);
@@ -54,20 +61,6 @@ void addWork(const Results& results, TradePoint& point) {
     }
 }
 
-/// Index of the bolt with the largest axial force; −1: there is none.
-int mostLoadedBolt(const Results& results) {
-    int most = -1;
-    double largest = 0.0;
-    if (results.frames.empty()) return most;
-    const std::vector<BoltExtremes>& bolts = results.frames.back().extremes;
-    for (std::size_t b = 0; b < bolts.size(); ++b)
-        if (std::abs(bolts[b].axialForce.value) > largest) {
-            largest = std::abs(bolts[b].axialForce.value);
-            most = static_cast<int>(b);
-        }
-    return most;
-}
-
 void proposeEvents(const Results& results, std::vector<std::string>& quantities) {
     for (const EventKindRow& row : eventKinds) {
         const auto count = std::count_if(results.events.begin(), results.events.end(),
@@ -80,6 +73,19 @@ void proposeEvents(const Results& results, std::vector<std::string>& quantities)
 }
 
 }  // namespace
+
+int mostLoadedBolt(const Results& results) {
+    int most = -1;
+    double largest = 0.0;
+    if (results.frames.empty()) return most;
+    const std::vector<BoltExtremes>& bolts = results.frames.back().extremes;
+    for (std::size_t b = 0; b < bolts.size(); ++b)
+        if (std::abs(bolts[b].axialForce.value) > largest) {
+            largest = std::abs(bolts[b].axialForce.value);
+            most = static_cast<int>(b);
+        }
+    return most;
+}
 
 std::vector<std::string> proposedQuantities(const Scene& scene, const Results& results) {
     std::vector<std::string> quantities{"stands", "energy_error"};
@@ -97,16 +103,16 @@ std::optional<TradePoint> measurePoint(const Scene& scene, const TradeSetting& s
                                        std::vector<std::string>& quantities, const TradeRun& run) {
     Scene changed = scene;
     setting.apply(changed);
-    changed.output.frames = 1;
     const SceneCut cut = cutScene(changed);
     TradePoint point;
     point.axis = setting.axis;
     point.setting = setting.text;
     point.overrides = setting.overrides;
+    point.preset = presetText(changed.analysis);
     point.threads = setting.threads;
     point.size = setting.size;
     point.unknowns = countsOf(cut.scene).unknowns();
-    MemorySink sink;
+    LastFrameSink sink;
     resetPeakMemory();
     const auto start = std::chrono::steady_clock::now();
     run(changed, cut, setting.threads, sink);

@@ -20,6 +20,7 @@ namespace keyblock {
 struct TradePoint {
     std::string axis, setting;
     std::vector<std::string> overrides;  // path=value, as for `--set`
+    std::string preset;  // with the number of settings that were changed
     std::vector<Measurement> values;  // one per quantity of interest
     double seconds = 0.0;  // wall-clock time of the run
     long steps = 0, passes = 0;  // accepted steps, iterations
@@ -31,6 +32,9 @@ struct TradePoint {
     int threads = 1;
     double size = 0.0;  // as in TradeSetting
 };
+
+/// Index of the bolt with the largest axial force in the run; −1: there is none.
+int mostLoadedBolt(const Results& results);
 
 /// Quantities of interest of a scene that names none, chosen from the results of its run: whether it is stable, the energy
 /// balance error, the displacements and openings of monitors, the largest force of the most loaded bolt and its debonded

@@ -84,7 +84,7 @@ Scene impact(Integration integration, double eta) {
     Support support;
     support.blockAt = Point(0.5, -0.5);
     scene.supports = {support};
-    const double step = eta * std::sqrt(2700.0 / (2.0 * scene.analysis.penaltyRatio * rigidRock));
+    const double step = eta * std::sqrt(2700.0 / (2.0 * *scene.analysis.penaltyRatio * rigidRock));
     const double contact = std::numbers::pi / eta;  // number of steps
     scene.stages = {dynamicStage(integration, std::ceil(3.0 * contact + 10.0) * step, step)};
     throwBlock(scene, {0.5, 0.4}, {0.0, -1.0});

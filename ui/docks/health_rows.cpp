@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Values of the solver measures at a time, and their limits.
+#include "solver/scene/preset.h"
 #include "ui/docks/health_strip.h"
 #include "ui/runs/live_run.h"
 
@@ -62,9 +63,9 @@ void fromSamples(const LiveRun& run, std::size_t count, HealthRows& rows) {
 
 HealthRows healthAt(const LiveRun& run, int stage, double time) {
     HealthRows rows;
-    const Analysis& analysis = run.scene().analysis;
-    const double limits[]{static_cast<double>(analysis.maxPasses), cutsLimit, penetrationLimit, balanceLimit,
-                          analysis.tolerance};
+    const Numerics numerics = numericsOf(run.scene().analysis);
+    const double limits[]{static_cast<double>(numerics.maxPasses), cutsLimit, penetrationLimit, balanceLimit,
+                          numerics.tolerance};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].measure = static_cast<HealthMeasure>(i);
         rows[i].limit = limits[i];

@@ -38,7 +38,7 @@ void RunWarning::refresh() {
     if (on_ && cursor_.hasMoment()) {
         const int stage = cursor_.head().stage;
         for (const StageWarning& warning : stageWarnings(*cursor_.run()))
-            if (warning.stage == stage) texts += QString::fromStdString(warning.text);
+            if (warning.stage == stage || warning.stage < 0) texts += QString::fromStdString(warning.text);
     }
     if (on_ && !notFinite_.isEmpty()) texts += notFinite_;
     setText(texts.isEmpty() ? QString() : tr("Warning: %1.").arg(texts.join("; ")));

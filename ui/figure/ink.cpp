@@ -140,16 +140,18 @@ void Ink::text(const Point& at, const std::string& text, const TextStyle& style,
     painter_.drawText(startOf(at, qt(text), font, align), qt(text));
 }
 
-void Ink::casedText(const Point& at, const std::string& text, const TextStyle& style, Align align) {
+void Ink::casedText(const Point& at, const std::string& text, const TextStyle& style, Align align,
+                    const Colour& ground) {
     const QFont font = fontFor(style, qt(text));
     QPainterPath rim;
     rim.addText(startOf(at, qt(text), font, align), font, qt(text));
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(penOf({0.95, paper_theme::white}));
+    painter_.setPen(penOf({0.95, ground}));
     painter_.drawPath(rim);
     const QRectF whole = rim.boundingRect();  // also covers the gaps between the letters
     painter_.fillRect(QRectF(whole.left(), units(at).y() - 0.6 * style.size * unitsPerMm, whole.width(),
-                             0.75 * style.size * unitsPerMm), Qt::white);
+                             0.75 * style.size * unitsPerMm),
+                      colourOf(ground));
     this->text(at, text, style, align);
 }
 

@@ -61,8 +61,9 @@ public:
 
     /// \param at position on the baseline of the text.
     void text(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
-    /// Draws text with a white outline, so that it is readable over lines.
-    void casedText(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
+    /// Draws text with an outline in the colour of the ground, so that it is readable over lines.
+    void casedText(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left,
+                   const Colour& ground = paper_theme::white);
 
     QPainter& painter() { return painter_; }
 

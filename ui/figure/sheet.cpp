@@ -53,7 +53,7 @@ std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::siz
                                     const std::string& notFinite) {
     std::vector<std::string> texts;
     for (const StageWarning& warning : stageWarnings(run))
-        if (!frame || warning.stage == run.frames()[*frame].stage) texts.push_back(warning.text);
+        if (!frame || warning.stage < 0 || warning.stage == run.frames()[*frame].stage) texts.push_back(warning.text);
     if (!notFinite.empty()) texts.push_back(notFinite);
     return texts;
 }

@@ -32,7 +32,7 @@ private:
     std::vector<std::string> title_, subtitle_, warnings_;
 };
 
-/// The warnings (from `stageWarnings`) about the stage to which the frame with this index belongs; about all stages if
+/// The warnings (from `stageWarnings`) about all stages and about the stage to which the frame with this index belongs; about all stages if
 /// `frame` is null. \param notFinite says what of the frame is not shown because it is not finite; empty: nothing.
 std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame,
                                     const std::string& notFinite = {});

@@ -4,6 +4,7 @@
 
 #include "solver/results/result_names.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/preset.h"
 #include "solver/scene/units.h"
 #include "ui/picture/ticks.h"
 
@@ -98,7 +99,7 @@ std::string analysisText(const Scene& scene) {
     if (std::any_of(scene.stages.begin(), scene.stages.end(),
                     [](const Stage& stage) { return stage.kind == StageKind::Dynamic; }))
         text += " · " + std::string(integrationLabels[static_cast<std::size_t>(scene.analysis.integration)]) + " scheme";
-    return text;
+    return text + " · preset " + presetText(scene.analysis);
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 #include "solver/run/strength_reduction.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/document/document.h"
+#include "ui/runs/run_problem.h"
 
 #include <exception>
 
@@ -13,12 +14,6 @@ namespace keyblock {
 namespace {
 
 constexpr int pollTime = 150;  // [ms]
-
-QString firstError(const std::vector<Problem>& problems) {
-    for (const Problem& problem : problems)
-        if (problem.severity == Severity::Error) return QString::fromStdString(problem.message + ". " + problem.remedy);
-    return {};
-}
 
 }  // namespace
 
@@ -34,9 +29,7 @@ void SafetySearch::start() {
     scene_ = document_.committed();
     runs_.clear();
     found_.reset();
-    const bool isChecked = document_.checkIsCurrent();
-    problem_ = isChecked ? firstError(document_.checked().problems) : tr("The scene is still being checked. Try again.");
-    if (problem_.isEmpty() && scene_->stages.empty()) problem_ = tr("Nothing to run: add a stage.");
+    problem_ = runProblem(document_);
     if (problem_.isEmpty()) problem_ = firstError(checkSafety(*scene_));
     if (!problem_.isEmpty()) return Q_EMIT changed();
     const Checked& checked = document_.checked();

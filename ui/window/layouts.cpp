@@ -30,7 +30,8 @@ using Groups = std::vector<std::vector<const char*>>;
 
 const Groups& groupsOf(Arrangement arrangement) {
     static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
-    static const Groups results{{"stripDock"}, {"curvesDock", "energyDock", "quantitiesDock", "safetyDock"},
+    static const Groups results{{"stripDock"},
+                                {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock"},
                                 {"stabilityDock", "healthDock", "eventsDock", "runsDock", "logDock"}};
     return arrangement == Arrangement::Drawing ? drawing : results;
 }

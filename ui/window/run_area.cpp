@@ -14,6 +14,7 @@
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
 #include "ui/docks/run_warning.h"
+#include "ui/docks/accuracy_panel.h"
 #include "ui/docks/safety_panel.h"
 #include "ui/docks/scale_panel.h"
 #include "ui/docks/stability_panel.h"
@@ -32,6 +33,7 @@
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
 #include "ui/runs/safety_search.h"
+#include "ui/runs/trade_runs.h"
 #include "ui/runs/section_feed.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
@@ -58,11 +60,12 @@ constexpr int messageTime = 8000;  // [ms]
 RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
       choice_(new BoltChoice(parts.document, parts.selection, *cursor_, this)),
-      blocks_(new BlockChoice(*cursor_, *choice_, this)),
-      runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
-      feed_(new SectionFeed(*choice_, *cursor_, *settings_, parts.display, this)), pins_(new Pins(*cursor_, this)),
+      blocks_(new BlockChoice(*cursor_, *choice_, this)), runs_(new Runs(parts.document, *cursor_, this)),
+      settings_(new ViewSettings(this)), feed_(new SectionFeed(*choice_, *cursor_, *settings_, parts.display, this)),
+      pins_(new Pins(*cursor_, this)),
       results_(new ResultCard(parts.themes, parts.display, *cursor_, *choice_, *blocks_, &parts.window)),
-      comparison_(new Comparison(*cursor_, this)), safety_(new SafetySearch(parts.document, this)) {
+      comparison_(new Comparison(*cursor_, this)), safety_(new SafetySearch(parts.document, this)),
+      accuracy_(new TradeRuns(parts.document, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
     // Created before the probe, whose pins have a context menu of their own.
@@ -148,11 +151,27 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                             safety->raise();
                             safety_->start();
                         });
+    QDockWidget* accuracy = makeDock(window, themes, "accuracyDock", tr("Accuracy"),
+                                     new AccuracyPanel(themes, parts_.document, *accuracy_, &window));
+    parts_.commands.add({"run.accuracy",
+                         tr("Measure accuracy and time"),
+                         "Run",
+                         {},
+                         tr("Runs the scene with coarser and finer numerical settings and compares the results."),
+                         {},
+                         false,
+                         "safety"},
+                        [this, accuracy] {
+                            accuracy->show();
+                            accuracy->raise();
+                            accuracy_->start();
+                        });
     compare_->place(besideCanvas, *allCurves, *energies);
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, safety, energy, list, log})
+    for (QDockWidget* dock :
+         {time, strip, curves, verdict, health, eventsDock_, asked, safety, accuracy, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // until the layouts arrange it
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {

@@ -36,6 +36,7 @@ class ProbeBinding;
 class RunLog;
 class Runs;
 class SafetySearch;
+class TradeRuns;
 class SectionFeed;
 class Selection;
 class Themes;
@@ -109,6 +110,7 @@ private:
     ProbeBinding* probe_;
     Comparison* comparison_;
     SafetySearch* safety_;
+    TradeRuns* accuracy_;
     CompareArea* compare_;
     int asked_ = -1;  // block outlined on request of a dock; −1: none
     ViewBar* bar_ = nullptr;

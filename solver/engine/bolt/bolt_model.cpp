@@ -259,8 +259,16 @@ bool isBonded(const std::vector<Anchor>& anchors) {
     return std::any_of(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return !anchor.at; });
 }
 
+/// Such a bond would be as strong as it has nodes.
+bool isGivenPerNode(const std::vector<Anchor>& anchors) {
+    return std::any_of(anchors.begin(), anchors.end(),
+                       [](const Anchor& anchor) { return !anchor.at && anchor.per == Per::Node; });
+}
+
 /// The automatic mesh (theory, "Divisions").
-MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, double length, bool plated) {
+/// \param factor on the number of elements, without effect on a bond given per node.
+MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, double length, bool plated,
+                        double factor) {
     MeshRequest request;
     request.length = length;
     request.longest = length / (isBonded(anchors) ? bondedDivisions : freeDivisions);
@@ -270,6 +278,10 @@ MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, 
     for (std::size_t e = 0; e < anchors.size(); ++e) {
         if (anchors[e].at) request.nodes.push_back(placeOf(*anchors[e].at, length));
         else if (anchors[e].per == Per::Length) addTransferPlaces(anchors[e], b.intervals[e], b, plated, request);
+    }
+    if (!isGivenPerNode(anchors)) {
+        request.longest /= factor;
+        for (FinePlace& place : request.fine) place.element /= factor;
     }
     std::sort(request.nodes.begin(), request.nodes.end());
     return request;
@@ -301,7 +313,8 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     b.shears = actsAcross(scene, b, model);
     b.intervals = intervalsOf(anchorsOf(scene, bolt), length);
     b.s = bolt.divisions ? equalNodes(length, *bolt.divisions)
-                         : gradedNodes(meshRequest(anchorsOf(scene, bolt), b, length, bolt.plate != PlateKind::None));
+                         : gradedNodes(meshRequest(anchorsOf(scene, bolt), b, length, bolt.plate != PlateKind::None,
+                                                   model.numerics.divisionsFactor));
     for (std::size_t i = 0; i + 1 < b.s.size(); ++i) {
         const bool shears = std::any_of(b.joints.begin(), b.joints.end(), [&](double s) {
             return s >= b.s[i] - model.tolerance && s <= b.s[i + 1] + model.tolerance;

@@ -37,7 +37,7 @@ void setMultiplier(const Link& link, Contact& c, double force) {
 
 }  // namespace
 
-bool usesMultipliers(const Model& model) { return model.analysis.contact == ContactMethod::AugmentedLagrangian; }
+bool usesMultipliers(const Model& model) { return model.numerics.contact == ContactMethod::AugmentedLagrangian; }
 
 double multiplierError(const Model& model, const State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
     double worst = 0.0;

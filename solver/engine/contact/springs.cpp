@@ -32,12 +32,12 @@ double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
 }
 
 bool isAugmented(const Model& model, const Contact& c) {
-    return model.analysis.contact == ContactMethod::AugmentedLagrangian &&
+    return model.numerics.contact == ContactMethod::AugmentedLagrangian &&
            !(model.joints[c.joint].normalStiffness && c.length > 0.0) && c.face.toward < 0;
 }
 
 ContactSprings contactSprings(const Model& model, const Contact& c) {
-    const double penalty = model.analysis.penaltyRatio * model.thickness *
+    const double penalty = model.numerics.penaltyRatio * model.thickness *
                            std::min(model.blocks[c.blockA].youngsModulus, model.blocks[c.blockB].youngsModulus);
     const JointModel& joint = model.joints[c.joint];
     const double face = c.length * model.thickness;

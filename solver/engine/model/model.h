@@ -10,6 +10,7 @@
 #include "solver/engine/laws/backbone.h"
 #include "solver/engine/laws/beam.h"
 #include "solver/engine/vector6.h"
+#include "solver/scene/preset.h"
 #include "solver/scene/scene.h"
 
 #include <optional>
@@ -168,6 +169,7 @@ struct Model {
     std::vector<BoltModel> bolts;
     int nodes = 0;  // number of nodes of all bolts
     Analysis analysis;
+    Numerics numerics;
 };
 
 /// Initial positions of a block's corners [m].

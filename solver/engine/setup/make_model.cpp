@@ -157,7 +157,7 @@ double smallestOf(const Model& model) {
 double stiffestOf(const Model& model) {
     double stiffest = 0.0;
     for (const BlockModel& block : model.blocks) {
-        stiffest = std::max(stiffest, model.analysis.penaltyRatio * block.youngsModulus * model.thickness);
+        stiffest = std::max(stiffest, model.numerics.penaltyRatio * block.youngsModulus * model.thickness);
         std::vector<int> joints = block.faceJoints;
         joints.push_back(block.jointMaterial);
         for (int row : joints)
@@ -176,6 +176,7 @@ double stiffestOf(const Model& model) {
 Model makeModel(const Scene& scene) {
     Model model;
     model.analysis = scene.analysis;
+    model.numerics = numericsOf(scene.analysis);
     model.thickness = scene.analysis.thickness;
     model.gravity = scene.analysis.gravity;
     model.size = sceneSize(scene);

@@ -167,6 +167,7 @@ void ScenePart::makeModel(const Model& whole) {
     model_.openings = whole.openings;
     model_.hasSides = whole.hasSides;
     model_.analysis = whole.analysis;
+    model_.numerics = whole.numerics;
     model_.blocks = picked(whole.blocks, blocks_);
     const int rocks = static_cast<int>(whole.firstOf.size()) - 1;
     std::vector<int> partRock(rocks, -1);

@@ -61,7 +61,7 @@ std::vector<double> stepNoise(const Model& model, const StepProblem& problem) {
         const double force = link.law.share * std::abs(respond(link.law, link.strain).force);
         for (const auto& [body, gradient] : {std::pair(link.a, &link.ga), std::pair(link.b, &link.gb)})
             if (body >= 0 && body < problem.blocks)
-                noise[body] += model.analysis.tolerance * force * gradient->head<2>().norm();
+                noise[body] += model.numerics.tolerance * force * gradient->head<2>().norm();
     }
     return noise;
 }

@@ -219,10 +219,9 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = start;
-        const SolveReport report = solveStep(engine_, problem, trial.state, d,
-                                             {.tolerance = model.analysis.tolerance,
-                                              .again = again,
-                                              .sweepsFirst = &pace.sweepsFirst});
+        const SolveReport report = solveStep(
+            engine_, problem, trial.state, d,
+            {.tolerance = model.numerics.tolerance, .again = again, .sweepsFirst = &pace.sweepsFirst});
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;

@@ -56,7 +56,7 @@ void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs) {
     const Analysis& analysis = engine.model.analysis;
     const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
-    const int passes = needs.maxPasses > 0 ? needs.maxPasses : analysis.maxPasses;
+    const int passes = needs.maxPasses > 0 ? needs.maxPasses : engine.model.numerics.maxPasses;
     const SolveSettings settings{needs.tolerance, passes, openClose, needs.again, needs.sweepsFrom, needs.sweepsFirst};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);

@@ -72,7 +72,7 @@ public:
           account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
           falls_(engine.model, state, settings.body, settings.smallest),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
-          tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
+          tolerance_(std::min(settings.unbalanced, engine.model.numerics.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
           moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * engine.model.smallest),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
@@ -158,7 +158,7 @@ private:
     StepNeeds needs() const {
         if (!mayBeRough()) return {.tolerance = tolerance_, .sweepsFrom = std::numeric_limits<int>::max()};
         return {.tolerance = tolerance_,
-                .maxPasses = std::min(mostPasses, model_.analysis.maxPasses),
+                .maxPasses = std::min(mostPasses, model_.numerics.maxPasses),
                 .sweepsFrom = sweepPatience};
     }
 
@@ -298,7 +298,7 @@ private:
         const auto hidden = std::find_if(unrest_.undecidable.begin(), unrest_.undecidable.end(),
                                          [&](int block) { return falls_.decides(block); });
         if (hidden == unrest_.undecidable.end()) return {};
-        const double penalty = model_.analysis.penaltyRatio * mostNoise / unrest_.noise;
+        const double penalty = model_.numerics.penaltyRatio * mostNoise / unrest_.noise;
         return {Ending::Undecided,
                 "round-off hides " + rounded(unrest_.noise) + " of the weight of block " +
                     model_.blocks[*hidden].name + "; with a penalty ratio of " +

@@ -101,17 +101,17 @@ public:
     /// iterations.
     SolveReport atRest(double dt, bool frictionLocked) {
         begin({Inertia::Static, dt, frictionLocked});
-        const Analysis& analysis = engine_.model.analysis;
-        const int passes = frictionLocked ? 0 : std::min(analysis.maxPasses, quickPasses);
-        const SolveReport report = solve(analysis.tolerance, passes);
+        const Numerics& numerics = engine_.model.numerics;
+        const int passes = frictionLocked ? 0 : std::min(numerics.maxPasses, quickPasses);
+        const SolveReport report = solve(numerics.tolerance, passes);
         if (report.converged || report.stopped || report.residual > nearRest) return report;
-        return solve(std::max(restTolerance, analysis.tolerance), 0);
+        return solve(std::max(restTolerance, numerics.tolerance), 0);
     }
 
     /// Makes the first time step of the scene from rest.
     SolveReport moving(double timeStep) {
         begin({Inertia::Shi, timeStep});
-        return solve(movingTolerance * engine_.model.analysis.tolerance, 0);
+        return solve(movingTolerance * engine_.model.numerics.tolerance, 0);
     }
 
 private:

@@ -60,7 +60,7 @@ std::optional<Run> runOf(const Compared& compared, std::optional<int> increments
     for (std::size_t i = compared.first; i < scene.stages.size(); ++i)
         scene.stages[i].increments = increments;
     scene.output = {};
-    scene.analysis.tolerance = compared.tolerance.value_or(scene.analysis.tolerance);
+    if (compared.tolerance) scene.analysis.tolerance = compared.tolerance;
     Run run{runInMemory(scene)};
     for (const StageResult& stage : run.results.stages) {
         if (stage.stage < compared.first) continue;

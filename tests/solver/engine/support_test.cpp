@@ -186,7 +186,7 @@ TEST(PointSupport, HangingBlockSinksByItsWeightOverTheSpring) {
     for (int step = 0; step < 200; ++step) ASSERT_TRUE(motion.step());
     const PointSupport& support = motion.model.supports[0];
     const Point moved = materialPoint(motion.state.blocks[0], support.place) - startOf(motion.model, support);
-    const double spring = motion.model.analysis.penaltyRatio * 10e9;  // 1 m thick
+    const double spring = motion.model.numerics.penaltyRatio * 10e9;  // 1 m thick
     EXPECT_NEAR(-moved.y() * spring / (motion.model.blocks[0].mass * gravity), 1.0, 1e-6);
 }
 

@@ -3,6 +3,7 @@
 //
 // Laws of bolts in whole runs, against closed forms: friction that sticks and
 // reverses, anchors that are clamped, pre-tension, dynamic strength.
+#include "solver/scene/preset.h"
 #include "tests/solver/run/bolt_scenes.h"
 
 #include <gtest/gtest.h>
@@ -161,7 +162,7 @@ struct Clamped {
         scene.stages = {install, loadStage(scene, load, 4)};
     }
     double boltStiffness() const { return 1.0 / (1.0 / anchor + 1.8 / (200e9 * barArea()) + 1.0 / plate); }
-    double jointStiffness() const { return 2.0 * scene.analysis.penaltyRatio * rigidRock; }
+    double jointStiffness() const { return 2.0 * numericsOf(scene.analysis).penaltyRatio * rigidRock; }
 };
 
 // After installation the bolt has its pre-tension and the joint carries it; a load smaller than that is shared by the

@@ -5,6 +5,7 @@
 // beside them were drawn away by as much.
 #include "solver/run/run.h"
 
+#include "solver/scene/preset.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
@@ -114,7 +115,7 @@ Scene heldBar(const std::vector<SceneJoint>& joints) {
 /// Force in the bar once a joint of it is driven apart by δ: δ over the give of rock, of two held ends and of joints,
 /// each of two springs.
 double forceOf(double delta, const Scene& scene, int joints) {
-    const double spring = scene.analysis.penaltyRatio * blockModulus * scene.analysis.thickness;
+    const double spring = numericsOf(scene.analysis).penaltyRatio * blockModulus * scene.analysis.thickness;
     return delta / (blockLength / (blockModulus * scene.analysis.thickness) + (2.0 + joints) / (2.0 * spring));
 }
 

@@ -5,6 +5,7 @@
 // equilibrium alone in closed form.
 #include "solver/run/run.h"
 
+#include "solver/scene/preset.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
@@ -150,7 +151,7 @@ TEST(Excavation, GroundReactionOfAFaceIsAStraightLine) {
     scene.output.every = 0.25;
     scene.monitors[0].point = Point(0.5, 1.5);
     const Solved solved = solve(scene);
-    const double spring = 2.0 * scene.analysis.penaltyRatio * modulus;
+    const double spring = 2.0 * numericsOf(scene.analysis).penaltyRatio * modulus;
     const double way = 0.5 * stress / modulus + stress / spring;  // of the block's middle, under all of the stress
     for (double time : {0.25, 0.5, 1.0}) {
         const Frame& frame = frameAt(solved, 1, time);

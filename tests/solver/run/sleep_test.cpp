@@ -5,6 +5,7 @@
 // may sleep give the events and positions of runs in which everything is modelled.
 #include "solver/results/block_forces.h"
 #include "solver/run/run.h"
+#include "solver/scene/preset.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
 
@@ -178,7 +179,7 @@ TEST(Sleep, TheForcesOfAFrameBalanceEveryBlock) {
     std::vector<Point> sums(frame.blocks.size(), Point(0.0, 0.0));
     for (const BlockForce& force : blockForces(frame)) sums[force.block] += force.force;
     for (std::size_t i = 1; i < sums.size(); ++i)
-        EXPECT_LT(sums[i].norm(), 2.0 * scene.analysis.sleepTolerance * frame.blocks[i].weight) << i;
+        EXPECT_LT(sums[i].norm(), 2.0 * numericsOf(scene.analysis).sleepTolerance * frame.blocks[i].weight) << i;
     for (const BlockForce& force : blockForces(frame))  // what sleeps is not held
         EXPECT_TRUE(force.source != ForceSource::Support || force.block == 0) << force.block;
 }

@@ -4,6 +4,7 @@
 // A scene is traded along the settings that it uses, and along no others.
 #include "solver/trade/trade_axes.h"
 
+#include "solver/scene/preset.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>
@@ -25,13 +26,14 @@ const TradeAxis& axisNamed(const std::vector<TradeAxis>& axes, const std::string
 
 TEST(TradeAxes, AreThoseThatTheSceneUses) {
     EXPECT_EQ(namesOf(tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 2})),
-              (std::vector<std::string>{"time_step", "penalty_ratio", "contact", "tolerance", "integration",
-                                        "sleep_tolerance", "threads"}));
+              (std::vector<std::string>{"time_step", "penalty_ratio", "contact", "iteration", "tolerance",
+                                        "integration", "sleep_tolerance", "threads", "preset"}));
     Scene still = inclineScene(30.0, 40.0, 0.1);
     still.stages.front() = {};
     still.bolts.resize(1);
     EXPECT_EQ(namesOf(tradeAxes(still, {12, 1, 30, 1})),
-              (std::vector<std::string>{"divisions", "increments", "penalty_ratio", "contact", "tolerance"}));
+              (std::vector<std::string>{"divisions", "increments", "penalty_ratio", "contact", "iteration", "tolerance",
+                                        "preset"}));
 }
 
 TEST(TradeAxes, ChangeTheSceneAsTheirTextsSay) {
@@ -56,7 +58,7 @@ TEST(TradeAxes, LeaveOutTheOwnValue) {
     const std::vector<TradeAxis> axes = tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 1});
     for (const TradeSetting& setting : axisNamed(axes, "integration").settings) EXPECT_NE(setting.text, "shi");
     const TradeAxis& tolerance = axisNamed(axes, "tolerance");
-    EXPECT_EQ(tolerance.ownSize, inclineScene(30.0, 20.0, 0.1).analysis.tolerance);
+    EXPECT_EQ(tolerance.ownSize, numericsOf(inclineScene(30.0, 20.0, 0.1).analysis).tolerance);
     for (const TradeSetting& setting : tolerance.settings) EXPECT_NE(setting.size, tolerance.ownSize);
 }
 

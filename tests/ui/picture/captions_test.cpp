@@ -32,12 +32,12 @@ TEST(Captions, NameTheStageOnceAndShortenShortTimes) {
 TEST(Captions, NameTheIntegrationSchemeOfScenesInMotion) {
     Scene scene = test::bricks();
     scene.stages.front().kind = StageKind::Static;
-    EXPECT_EQ(analysisText(scene), "plane strain");
+    EXPECT_EQ(analysisText(scene), "plane strain · preset engineering");
     scene.stages.front().kind = StageKind::Dynamic;
     scene.analysis.integration = Integration::Shi;
-    EXPECT_EQ(analysisText(scene), "plane strain · Shi scheme");
+    EXPECT_EQ(analysisText(scene), "plane strain · Shi scheme · preset engineering");
     scene.analysis.integration = Integration::BackwardEuler;
-    EXPECT_EQ(analysisText(scene), "plane strain · backward Euler scheme");
+    EXPECT_EQ(analysisText(scene), "plane strain · backward Euler scheme · preset engineering");
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ TEST(SceneFile, OverridesReachEveryPlaceInEverySpelling) {
 
 TEST(SceneFile, OverridesMakeObjectsOnTheWay) {
     const Scene scene = readGood(goodFolder / "smallest.json", {"analysis.tolerance=1e-8"});
-    EXPECT_DOUBLE_EQ(scene.analysis.tolerance, 1e-8);
+    EXPECT_EQ(scene.analysis.tolerance, 1e-8);
 }
 
 TEST(SceneFile, MistakesInOverridesNameTheOption) {

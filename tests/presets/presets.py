@@ -1,0 +1,209 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures what the presets change and what they save, and writes the help page.
+
+    presets.py measure PROGRAM --json FILE [--only NAME ...]    PROGRAM is keyblock; runs every scene with every preset
+    presets.py page FILE PAGE                                   writes the measurements of FILE to a help page
+
+The scenes are samples that leave their numerical settings to the preset: time steps are removed, divisions too where
+the bond is given per metre. Errors are differences from the preset `reference`.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SAMPLES = ROOT / "samples"
+PRESETS = ["sketch", "draft", "engineering", "reference"]
+
+SCENES = """angle-dbolt-00 angle-dbolt-20 angle-dbolt-40 angle-dbolt-60 angle-rebar-00 angle-rebar-20 angle-rebar-40
+angle-rebar-60 burst-dbolt burst-rebar cone-bolt dbolt-table-steel deep-drift drift-rebar-dbolt drift-unbolted
+drop-cone-bolt drop-d-bolt drop-garford drop-roofex expansion-shell free-fall garford impact incline plate-block
+rebar-20 rebar-brittle rebar-stated rocking-block roofex shaken-incline shaken-record slope-safety slope-shaken
+split-set suspended-block swellex toppling-block tower-100 weaken-incline""".split()
+
+# A bolt that was hit swings back at the end of the run, so whether the block is still at that moment says nothing about
+# stability.
+REBOUNDING = {"drop-cone-bolt", "drop-d-bolt", "drop-garford", "drop-roofex", "burst-dbolt", "burst-rebar", "impact"}
+
+
+def is_per_node(anchors):
+    return any(a.get("per", "node") == "node" and "at" not in a for a in anchors)
+
+
+def scene_of(name):
+    """The sample without settings that presets determine, and with quantities of interest."""
+    scene = json.loads((SAMPLES / f"{name}.json").read_text(encoding="utf-8"))
+    for stage in scene.get("stages", []):
+        stage.pop("time_step", None)
+    for key in ("tolerance", "max_passes", "sleep_tolerance", "contact", "preset"):
+        scene.get("analysis", {}).pop(key, None)
+    types = scene.get("bolt_types", {})
+    for bolt in scene.get("bolts", []) + scene.get("bolt_patterns", []):
+        anchors = bolt.get("anchors") or types.get(bolt.get("type"), {}).get("anchors", [])
+        if anchors and not is_per_node(anchors):
+            bolt.pop("divisions", None)
+    expected = [e["quantity"] for e in scene.get("about", {}).get("expected", [])]
+    moved = [f"last {m['name']}" + (".u" if "point" in m else "") for m in scene.get("monitors", [])]
+    wanted = ["stands"] + scene.get("quantities", []) + expected + moved
+    scene["quantities"] = [q for q in dict.fromkeys(wanted) if q not in ("factor_of_safety", "energy_error")]
+    return scene
+
+
+def run(program, scene, preset, folder):
+    path, out = folder / "scene.json", folder / "run.kbrun"
+    path.write_text(json.dumps(scene), encoding="utf-8")
+    start = time.monotonic()
+    ended = subprocess.run([program, "run", path, "--out", out, "--overwrite", "--preset", preset, "--threads", "1"],
+                           capture_output=True, text=True, check=False)
+    seconds = time.monotonic() - start
+    if ended.returncode not in (0, 5):
+        return {"failure": (ended.stderr.strip() or str(ended.returncode)).replace(str(folder), "")}
+    info = json.loads(subprocess.run([program, "info", out, "--json"], capture_output=True, text=True,
+                                     check=True).stdout)
+    quantities = {q["quantity"]: q["order"] if q["order"] else q["value"] for q in info["quantities"]}
+    return {"seconds": seconds, "work": sum(s["work"]["total"] for s in info["stages"]),
+            "stands": info["verdict"]["stands"], "quantities": quantities}
+
+
+def measure(arguments):
+    results = {}
+    for name in arguments.only or SCENES:
+        scene = scene_of(name)
+        results[name] = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for file in SAMPLES.glob("*.csv"):
+                (pathlib.Path(folder) / file.name).write_bytes(file.read_bytes())
+            for preset in PRESETS:
+                results[name][preset] = run(arguments.program, scene, preset, pathlib.Path(folder))
+        print(name, *(f"{p}: {entry(results[name], p)}" for p in PRESETS), sep="  ", flush=True)
+        arguments.json.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+
+
+def entry(runs, preset):
+    one, reference = runs[preset], runs["reference"]
+    if "failure" in one or "failure" in reference:
+        return one.get("failure", "-")
+    largest = max(errors(one, reference).values(), default=0.0)
+    own = runs["engineering"]
+    ratio = one["work"] / own["work"] if own.get("work") else 1.0
+    return f"{ratio:.2f} of the work, {100 * largest:.2g} %" + ("" if same_verdict(runs, preset) else ", VERDICT")
+
+
+def same_verdict(runs, preset):
+    return runs[preset].get("stands") == runs["reference"].get("stands")
+
+
+def error(value, reference):
+    if isinstance(value, list) or isinstance(reference, list):
+        return 0.0 if value == reference else 1.0
+    if value is None or reference is None:
+        return 0.0 if value == reference else 1.0
+    return abs(value) if reference == 0 else abs(value / reference - 1.0)
+
+
+def errors(one, reference):
+    """Errors by quantity, without the verdict and without orders of events."""
+    return {q: error(v, reference["quantities"].get(q)) for q, v in one["quantities"].items()
+            if q != "stands" and not q.startswith("order ")}
+
+
+def median(values):
+    ordered = sorted(values)
+    return ordered[len(ordered) // 2] if ordered else 0.0
+
+
+def kind_of(quantity):
+    if quantity.startswith("count "):
+        return "number of events"
+    if "force" in quantity or "moment" in quantity or quantity.endswith(".N"):
+        return "forces in bolts"
+    if quantity.startswith("first "):
+        return "openings at the first event"
+    return "displacements and others"
+
+
+def percent(value):
+    return "0" if value < 5e-6 else f"{100 * value:.2g} %"
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def settings():
+    """A table of what each preset sets."""
+    files = {p: json.loads((ROOT / f"resources/presets/{p}.json").read_text(encoding="utf-8")) for p in PRESETS}
+    usual = files["engineering"]["settings"]
+    text = row(["setting", *PRESETS]) + row(["---"] * 5)
+    for key in usual:
+        text += row([f"`{key}`", *(str(files[p]["settings"].get(key, usual[key])) for p in PRESETS)])
+    return text + row(["for", *(files[p]["help"].rstrip(".") for p in PRESETS)])
+
+
+def page(arguments):
+    results = json.loads(arguments.file.read_text(encoding="utf-8"))
+    whole = {n: r for n, r in results.items() if not any("failure" in one for one in r.values())}
+    judged = {n: r for n, r in whole.items() if n not in REBOUNDING and r["reference"]["stands"] is not None}
+    text = (ROOT / "tests/presets/page.md").read_text(encoding="utf-8")
+    summary = row(["preset", "work, median", "work, range", "changed verdicts", "forces in bolts",
+                   "displacements and others", "openings at the first event", "number of events"])
+    summary += row(["---"] * 8)
+    for preset in PRESETS:
+        ratios = [r[preset]["work"] / r["engineering"]["work"] for r in whole.values() if r["engineering"]["work"] > 0]
+        flips = [n for n, r in judged.items() if not same_verdict(r, preset)]
+        cells = [preset, f"{median(ratios):.2f}", f"{min(ratios):.2f} to {max(ratios):.2f}",
+                 f"{len(flips)} of {len(judged)}" + (f" ({', '.join(flips)})" if flips else "")]
+        for kind in ("forces in bolts", "displacements and others", "openings at the first event", "number of events"):
+            found = [e for r in whole.values() for q, e in errors(r[preset], r["reference"]).items()
+                     if kind_of(q) == kind]
+            cells.append("–" if preset == "reference" else f"{percent(median(found))} ({percent(max(found, default=0))})")
+        summary += row(cells)
+    scenes = row(["scene"] + [f"{p}: work, largest error" for p in PRESETS[:-1]] + ["reference: work"])
+    scenes += row(["---"] * 5)
+    for name, runs in results.items():
+        cells = [name]
+        for preset in PRESETS:
+            one, own = runs[preset], runs["engineering"]
+            if "failure" in one or "failure" in own or "failure" in runs["reference"]:
+                cells.append("no result")
+                continue
+            ratio = f"{one['work'] / own['work']:.2f}" if own["work"] > 0 else "–"
+            found = errors(one, runs["reference"])
+            worst = max(found, key=found.get, default=None)
+            note = "" if name in REBOUNDING or same_verdict(runs, preset) else ", **verdict**"
+            at = f" ({worst})" if worst and found[worst] >= 5e-6 else ""
+            cells.append(ratio if preset == "reference" else
+                         f"{ratio}, {percent(found[worst]) if worst else '–'}{at}{note}")
+        scenes += row(cells)
+    failed = [f"- {n}, {p}: {one['failure']}\n" for n, r in results.items() for p, one in r.items() if "failure" in one]
+    counts = {"@settings@": settings(), "@scenes@": str(len(results)), "@judged@": str(len(judged)), "@summary@": summary, "@table@": scenes,
+              "@failed@": "".join(failed) or "All runs have results.\n"}
+    for key, value in counts.items():
+        text = text.replace(key, value)
+    arguments.page.write_text(text, encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True)
+    measuring = commands.add_parser("measure")
+    measuring.add_argument("program")
+    measuring.add_argument("--json", type=pathlib.Path, required=True)
+    measuring.add_argument("--only", nargs="*", choices=SCENES, metavar="NAME")
+    measuring.set_defaults(do=measure)
+    writing = commands.add_parser("page")
+    writing.add_argument("file", type=pathlib.Path)
+    writing.add_argument("page", type=pathlib.Path)
+    writing.set_defaults(do=page)
+    arguments = parser.parse_args()
+    return arguments.do(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
