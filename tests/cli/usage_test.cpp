@@ -44,7 +44,7 @@ TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
 
 TEST_F(Usage, WrongOptionsAreReported) {
     expectUsageError({"run"}, "SCENE.json");
-    expectUsageError({"run", "scene.json", "--prest", "draft"}, "--preset");
+    expectUsageError({"run", "scene.json", "--prest", "draft"}, "--prest");
     expectUsageError({"run", "scene.json", "--threads", "0"}, "--threads");
     expectUsageError({"run", "scene.json", "--threads", "many"}, "--threads");
     expectUsageError({"run", "scene.json", "--progress", "loud"}, "not one of bar, json, none");
