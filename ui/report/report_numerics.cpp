@@ -7,6 +7,7 @@
 #include "solver/results/result_names.h"
 #include "solver/scene/automatic.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/preset.h"
 #include "ui/report/report_facts.h"
 
 #include <algorithm>
@@ -23,26 +24,28 @@ std::string timeStepsText(const Scene& scene) {
     for (const Stage& stage : scene.stages)
         if (isDynamic(stage))
             text += (text.empty() ? "" : ", ") + stage.name + " " +
-                    numeral(1e3 * stage.timeStep.value_or(automaticTimeStep(stage))) + " ms";
+                    numeral(1e3 * stage.timeStep.value_or(automaticTimeStep(scene, stage))) + " ms";
     return text;
 }
 
 ReportTable settingsTable(const Scene& scene) {
     const Analysis& analysis = scene.analysis;
+    const Numerics numerics = numericsOf(analysis);
     ReportTable table{"Numerical settings", {{"Setting"}, {"Value"}}, {}};
     const auto add = [&table](const char* setting, const std::string& value) {
         table.rows.push_back({setting, value});
     };
+    add("Preset", presetText(analysis));
     if (std::ranges::any_of(scene.stages, isDynamic)) {
         add("Time integration", std::string(integrationLabels[static_cast<std::size_t>(analysis.integration)]));
         add("Longest time steps", timeStepsText(scene));
     }
     add("Iteration", std::string(iterationLabels[static_cast<std::size_t>(analysis.iteration)]));
-    add("Contacts", std::string(contactMethodLabels[static_cast<std::size_t>(analysis.contact)]));
-    add("Contact stiffness over Young's modulus and thickness", numeral(analysis.penaltyRatio));
-    add("Tolerance of the unbalanced force", numeral(analysis.tolerance));
-    add("Max. iterations of a step", std::to_string(analysis.maxPasses));
-    add("Unbalanced force at which blocks sleep, over their weight", numeral(analysis.sleepTolerance));
+    add("Contacts", std::string(contactMethodLabels[static_cast<std::size_t>(numerics.contact)]));
+    add("Contact stiffness over Young's modulus and thickness", numeral(numerics.penaltyRatio));
+    add("Tolerance of the unbalanced force", numeral(numerics.tolerance));
+    add("Max. iterations of a step", std::to_string(numerics.maxPasses));
+    add("Unbalanced force at which blocks sleep, over their weight", numeral(numerics.sleepTolerance));
     return table;
 }
 
