@@ -27,7 +27,7 @@ TextRow estimateRow(const QuantityEstimate& one) {
 
 }  // namespace
 
-std::string estimateLines(const ErrorEstimate& estimate) {
+std::string errorEstimateLines(const ErrorEstimate& estimate) {
     std::string runs;
     for (const std::string& text : estimate.refinements) runs += (runs.empty() ? "" : "; ") + text;
     std::vector<TextRow> rows;

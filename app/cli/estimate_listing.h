@@ -11,6 +11,6 @@
 namespace keyblock::cli {
 
 /// A table with a line for each quantity: value, estimated error, and the error as a share of the value.
-std::string estimateLines(const ErrorEstimate& estimate);
+std::string errorEstimateLines(const ErrorEstimate& estimate);
 
 }  // namespace keyblock::cli

@@ -17,7 +17,7 @@ namespace {
 
 std::string estimateText(const std::filesystem::path& run) {
     const std::optional<ErrorEstimate> estimate = storedEstimate(run);
-    return estimate ? estimateLines(*estimate) : "";
+    return estimate ? errorEstimateLines(*estimate) : "";
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ ExitCode estimateInto(const fs::path& out, const Scene& scene, const RunOptions&
         return Interrupted;
     }
     storeEstimate(out, *estimate);
-    print(estimateLines(*estimate));
+    print(errorEstimateLines(*estimate));
     return Done;
 }
 

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double plotHeight = 97.0;  // [mm]
+constexpr double tradePlotHeight = 97.0;  // [mm]
 
 }  // namespace
 
@@ -35,11 +35,11 @@ TradeChart tradeChartOf(const Trade& trade) {
 std::string paintTrade(const TradeChart& chart, PaperFormat format, double width) {
     if (!TradePlot::canShow(chart)) throw CannotDraw("no run of this trade has a result");
     const Sheet sheet(width, chart.title, chart.subtitle, {});
-    const double height = std::ceil(sheet.heightAround(plotHeight));
+    const double height = std::ceil(sheet.heightAround(tradePlotHeight));
     Paper paper(format, width, height, 300, chart.title);
     Ink ink(paper.painter());
     sheet.draw(ink, height, chart.foot);
-    const Box area{{paper_theme::margin, sheet.top()}, {width - paper_theme::margin, sheet.top() + plotHeight}};
+    const Box area{{paper_theme::margin, sheet.top()}, {width - paper_theme::margin, sheet.top() + tradePlotHeight}};
     TradePlot(chart, area).draw(ink);
     return paper.finish();
 }
