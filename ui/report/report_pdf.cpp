@@ -227,7 +227,8 @@ private:
 
     void add(const ReportFigure& figure) {
         const PaperPicture picture(figure.svg, "image/svg+xml", "the figure '" + figure.caption + "'");
-        const double whole = std::min(inner, largestFigure / picture.heightFor(1.0));
+        const double natural = figure.width > 0.0 ? std::min(inner, figure.width) : inner;
+        const double whole = std::min(natural, largestFigure / picture.heightFor(1.0));
         const double half = halfPage / picture.heightFor(1.0);
         const double wide = half < whole && half >= leastShrink * whole ? half : whole, high = picture.heightFor(wide);
         pieces_.push_back({high, [picture, wide, high](Ink& ink, double top) {
