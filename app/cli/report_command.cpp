@@ -13,6 +13,7 @@
 #include "solver/files/read_error.h"
 #include "solver/files/run_store/build_id.h"
 #include "solver/files/run_store/run_store.h"
+#include "solver/files/run_store/stored_estimate.h"
 #include "solver/files/run_store/stored_scene.h"
 #include "solver/files/sha256.h"
 #include "solver/files/text_file.h"
@@ -110,6 +111,7 @@ ReportDocument runReport(const ReportOptions& options) {
     warnOfMissingResults(store, options.run);
     ReportRequest request = requestOf(options, ReportKind::Run);
     request.given = storedScene(options.run);
+    request.estimate = storedEstimate(options.run);
     request.runProgram = "Keyblock " + store.programVersion();
     request.inputs = {{"scene", "in the run store, as JSON with its records", store.sceneHash()},
                       {"run store", request.runName, sha256OfFile(options.run)}};

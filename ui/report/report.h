@@ -4,6 +4,7 @@
 // The contents of the report of a run. The header does not need Qt.
 #pragma once
 
+#include "solver/results/quantity_estimate.h"
 #include "solver/results/run_source.h"
 #include "ui/report/report_document.h"
 #include "ui/report/report_template.h"
@@ -26,6 +27,7 @@ struct ReportRequest {
     ReportTemplate layout = defaultTemplate();
     std::optional<ReportLogo> logo;
     std::optional<Scene> given;  // the scene before it was cut; null: domain and joint sets are not described
+    std::optional<ErrorEstimate> estimate;  // errors estimated by runs with finer settings; null: not estimated
     std::string project, author, date;  // as given by the user; empty: left out
     std::string runName;  // name of the run store
     std::string program;  // name, version and build of this program

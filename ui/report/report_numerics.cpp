@@ -80,6 +80,36 @@ ReportTable quantityTable(const RecordedRun& run) {
     return table;
 }
 
+/// Errors that runs with finer settings estimate. Of an order of events, the error is the share that differs.
+ReportTable estimateTable(const ErrorEstimate& estimate) {
+    ReportTable table{"Estimated errors of the quantities, in SI units",
+                      {{"Quantity"}, {"Value", true}, {"Error", true}, {"Share, %", true}, {"Remark"}},
+                      {}};
+    for (const QuantityEstimate& one : estimate.quantities) {
+        const bool known = one.remark.empty() && one.error, isOrder = known && !one.value;
+        const std::optional<double> share = !known              ? std::nullopt
+                                            : isOrder           ? one.error
+                                            : *one.value != 0.0 ? std::optional(*one.error / std::abs(*one.value))
+                                                                : std::nullopt;
+        table.rows.push_back({one.quantity, one.value ? numeral(*one.value) : "–",
+                              known && !isOrder ? "± " + numeral(*one.error) : "–", share ? numeral(100.0 * *share) : "–",
+                              isOrder ? "of the order differs" : one.remark});
+    }
+    return table;
+}
+
+/// Adds the estimate of errors, or says how to make one.
+void addEstimate(const std::optional<ErrorEstimate>& estimate, ReportSection& section) {
+    if (!estimate)
+        return addText(section,
+                       "The errors of the discretisation and of the settings were not estimated; 'keyblock run "
+                       "--estimate-error' estimates them, 'keyblock trade' measures them.");
+    addTable(section, estimateTable(*estimate));
+    std::string runs;
+    for (const std::string& text : estimate->refinements) runs += (runs.empty() ? "" : "; ") + text;
+    if (!runs.empty()) addText(section, "The errors are estimated from runs with: " + runs + ".");
+}
+
 /// "b12: 0.0001": block and unbalanced force over its weight.
 std::string worstText(const Facts& facts, const WorstBalance& worst) {
     return worst.block < 0 ? "–" : facts.block(worst.block) + ": " + numeral(worst.share);
@@ -104,10 +134,7 @@ void addNumerics(const Facts& facts, ReportSection& section) {
                          " of the acting forces, an energy balance error of at most " + numeral(balance) +
                          " of its largest term, and a penetration of at most " + numeral(penetration) +
                          " of the size of a block.");
-    if (facts.scene().about.expected.empty())
-        addText(section,
-                "The scene gives no expected values, and the error of its discretisation is not estimated here; "
-                "'keyblock trade' measures it.");
+    addEstimate(facts.request.estimate, section);
 }
 
 void addDiagnostics(const Facts& facts, ReportSection& section) {

@@ -69,6 +69,22 @@ TEST_F(Report, HasAllSectionsInOrder) {
     }
 }
 
+TEST_F(Report, ShowsTheEstimatedErrors) {
+    const auto tables = [this] {
+        const ReportDocument report = document();
+        return partsOf<ReportTable>(report.sections.at(4));
+    };
+    const std::size_t without = tables().size();
+    request.estimate = ErrorEstimate{
+        {"half the time step"},
+        {{"max pull", 2e4, 500.0, ""}, {"order yield", {}, 0.25, ""}, {"none", {}, {}, "no value"}}};
+    ASSERT_EQ(tables().size(), without + 1);
+    const ReportTable table = tables().back();
+    EXPECT_EQ(table.rows.at(0), (std::vector<std::string>{"max pull", "20000", "± 500", "2.5", ""}));
+    EXPECT_EQ(table.rows.at(1), (std::vector<std::string>{"order yield", "–", "–", "25", "of the order differs"}));
+    EXPECT_EQ(table.rows.at(2), (std::vector<std::string>{"none", "–", "–", "–", "no value"}));
+}
+
 /// 100 kN in a bar of 20 mm that yields at 400 MPa, 125.7 kN.
 TEST_F(Report, ShowsTheUseOfABolt) {
     const ReportDocument report = document();
