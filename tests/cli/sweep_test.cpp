@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <chrono>
@@ -228,6 +229,37 @@ TEST_F(SweepCommand, ATenTimesLargerPlanIsAsQuick) {
     EXPECT_LT(std::chrono::steady_clock::now() - planned, std::chrono::seconds(2));
     EXPECT_EQ(keyblock({"sweep", "run", "s", "--index", "99999"}).code, 0);
     EXPECT_EQ(status("s")["finished"], 1);
+}
+
+TEST_F(SweepCommand, OneCaseIsRunByOneProcess) {
+    putEndlessScene();
+    put("study.json", R"({ "format": "keyblock-study", "version": 1, "scene": "rest.json", "plan": { "cases": 1 },
+  "parameters": [ { "path": "analysis.sleep_tolerance", "values": [0] } ], "quantities": [ "last top.uy" ] })");
+    plan("s");
+    Program first({"sweep", "run", "s", "--index", "1"}, folder());
+    ASSERT_TRUE(waitForFrames("s/cases/0000/000001/run.kbrun", 2));
+    const Ended second = keyblock({"sweep", "run", "s", "--index", "1"});
+    EXPECT_EQ(second.code, 75);
+    EXPECT_NE(second.err.find("being run by another process"), std::string::npos) << second.err;
+    EXPECT_EQ(status("s")["running"], 1);
+    first.signal(SIGTERM);
+    EXPECT_EQ(first.wait().code, 75);
+    EXPECT_EQ(status("s")["interrupted"], 1);
+}
+
+TEST_F(SweepCommand, AFullDiskEndsWith6AndTheCaseIsRunLater) {
+    putStudy(1);
+    plan("s");
+    const std::string limited = "cd '" + folder().string() + "' && ulimit -f 16 && '" KEYBLOCK_PROGRAM "' sweep ";
+    const int run = std::system((limited + "run s --index 1 2>run.txt").c_str());
+    EXPECT_EQ(WEXITSTATUS(run), 6) << content("run.txt");
+    EXPECT_NE(content("run.txt").find("cannot write"), std::string::npos) << content("run.txt");
+    EXPECT_EQ(keyblock({"sweep", "run", "s", "--index", "1"}).code, 0);
+    EXPECT_EQ(status("s")["outcomes"]["done"], 1);
+    putStudy(5000);
+    const int plan = std::system((limited + "plan study.json --out t 2>plan.txt").c_str());
+    EXPECT_EQ(WEXITSTATUS(plan), 6) << content("plan.txt");
+    EXPECT_FALSE(exists("t"));
 }
 
 TEST_F(SweepCommand, RefusesWhatItCannotDo) {
