@@ -8,6 +8,7 @@
 #include "app/cli/exit_codes.h"
 #include "solver/files/drawing/section_import.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -124,9 +125,20 @@ struct SweepCollectOptions {
     std::vector<std::string> scatter;  // pairs X,Y of columns
 };
 
+struct StressOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
+    ProgressKind progress = ProgressKind::Automatic;
+    bool json = false;
+};
+
 struct VerifyOptions {
     std::vector<std::string> names;  // names of cases; empty: all cases
     bool paper = false;  // show the tables of the paper instead of the cases
+    bool extremes = false;  // run scenes to the limits of the method instead of the cases
+    int random = 0;  // random combinations of extremes
+    std::uint64_t seed = 1;  // of the random combinations
+    std::optional<std::filesystem::path> page;  // help page of the limits to write
     bool json = false;
 };
 
@@ -135,7 +147,7 @@ struct BoltsOptions {
 };
 
 using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, ImportOptions, SafetyOptions,
-                             TradeOptions, CompareOptions, ReportOptions, SweepPlanOptions, SweepRunOptions,
+                             TradeOptions, StressOptions, CompareOptions, ReportOptions, SweepPlanOptions, SweepRunOptions,
                              SweepStatusOptions, SweepCollectOptions, VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
@@ -151,6 +163,7 @@ ExitCode perform(const SweepPlanOptions& options);
 ExitCode perform(const SweepRunOptions& options);
 ExitCode perform(const SweepStatusOptions& options);
 ExitCode perform(const SweepCollectOptions& options);
+ExitCode perform(const StressOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);
 

@@ -55,6 +55,7 @@ struct Options {
     SweepRunOptions sweepRun;
     SweepStatusOptions sweepStatus;
     SweepCollectOptions sweepCollect;
+    StressOptions stress;
     VerifyOptions verify;
     BoltsOptions bolts;
 };
@@ -364,6 +365,19 @@ void addSweep(CLI::App& app, Options& options) {
         ->take_all();
 }
 
+void addStress(CLI::App& app, StressOptions& options) {
+    CLI::App* verb = app.add_subcommand("stress",
+                                        "Push a scene along its settings and report what breaks first, how far "
+                                        "the answer moved, and what to set");
+    verb->add_option("SCENE.json", options.scene,
+                     "The scene; its 'quantities' are compared, or some that are chosen from its results")
+        ->required()
+        ->type_name("");
+    addOverrides(verb, options.overrides);
+    addProgress(verb, options);
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
+}
+
 void addVerify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Check the program against independent reference values");
     CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be repeated")
@@ -372,6 +386,22 @@ void addVerify(CLI::App& app, VerifyOptions& options) {
     verb->add_flag("--paper", options.paper,
                    "Print the paper's tables: values of the paper, the reference and Keyblock")
         ->excludes(names);
+    CLI::Option* extremes = verb->add_flag("--extremes", options.extremes,
+                                           "Run scenes with known answers to and past the limits of the method; --case "
+                                           "then names a case, a scene or an axis")
+                                ->excludes("--paper");
+    CLI::Option* random = verb->add_option("--random", options.random,
+                                           "Run this many random combinations of extremes; without --page or --case, "
+                                           "only these")
+                              ->type_name("N")
+                              ->check(CLI::Range(1, 1000000).description(""))
+                              ->needs(extremes);
+    verb->add_option("--seed", options.seed, "Seed of the random combinations; default 1")
+        ->type_name("S")
+        ->needs(random);
+    verb->add_option("--page", options.page, "Write the help page of the limits to this file")
+        ->type_name("FILE.md")
+        ->needs(extremes);
     verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
@@ -447,6 +477,7 @@ Command commandOf(const CLI::App& app, const Options& options) {
     if (verb == "compare") return options.compare;
     if (verb == "report") return options.report;
     if (verb == "sweep") return sweepCommandOf(*app.get_subcommands().front(), options);
+    if (verb == "stress") return options.stress;
     if (verb == "verify")
         return options.verify;
     return options.bolts;
@@ -464,7 +495,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     app.footer(
         "Exit codes: 0 done, 1 a verification failed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
         "5 limit reached, 6 cannot write, 8 not stable (only with --fail-on-collapse), 70 internal,\n"
-        "75 interrupted (run, safety, sweeps and animations, which keep their results; a signal ends other commands at once).");
+        "75 interrupted (run, safety, stress, sweeps and animations, which keep their results; a signal ends other commands at once).");
     addRun(app, options.run);
     addCheck(app, options.check);
     addInfo(app, options.info);
@@ -475,6 +506,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addCompare(app, options.compare);
     addReport(app, options.report);
     addSweep(app, options);
+    addStress(app, options.stress);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);
     requireKnownVerb(app, argc, argv);

@@ -444,6 +444,73 @@ std::string paperJson(std::span<const PaperTable> tables) {
     return dumped({{"tables", list}}, 2);
 }
 
+std::string stressJson(const StressTest& stress) {
+    Json pushes = Json::array(), values = Json::array();
+    for (const StressPoint& point : stress.points)
+        pushes.push_back({{"axis", point.push.axis},
+                          {"push", point.push.text},
+                          {"physical", point.push.physical},
+                          {"ending", wordOf(point.ending)},
+                          {"change", point.moved},
+                          {"quantity", point.quantity},
+                          {"reason", point.reason},
+                          {"warnings", point.warnings},
+                          {"remedy", point.push.remedy},
+                          {"seconds", point.seconds}});
+    for (const Measurement& value : stress.own.values) values.push_back(orNull(value.value));
+    const int first = firstToBreak(stress);
+    return dumped({{"quantities", stress.quantities},
+                   {"own", {{"seconds", stress.own.seconds}, {"values", values}, {"failure", stress.own.failure}}},
+                   {"pushes", pushes},
+                   {"breaks_first", first < 0 ? Json(nullptr) : Json(first)},
+                   {"answer", stressAnswer(stress)},
+                   {"interrupted", stress.interrupted}},
+                  2);
+}
+
+namespace {
+
+Json extremeRunsJson(const std::vector<ExtremeRun>& runs) {
+    Json list = Json::array();
+    for (const ExtremeRun& run : runs)
+        list.push_back({{"value", run.value},
+                        {"ending", wordOf(run.ending)},
+                        {"quantity", run.quantity},
+                        {"measured", run.measured},
+                        {"expected", run.expected},
+                        {"tolerance", run.tolerance},
+                        {"reason", run.reason},
+                        {"seconds", run.seconds}});
+    return list;
+}
+
+}  // namespace
+
+std::string extremesJson(std::span<const ExtremeCaseRuns> cases, std::span<const RandomExtremes> random) {
+    Json caseList = Json::array(), randomList = Json::array();
+    std::vector<ExtremeRun> all;
+    for (const ExtremeCaseRuns& each : cases) {
+        caseList.push_back({{"name", each.one.name},
+                            {"scene", each.one.scene},
+                            {"axis", each.one.axis},
+                            {"property", each.one.property},
+                            {"runs", extremeRunsJson(each.runs)}});
+        all.insert(all.end(), each.runs.begin(), each.runs.end());
+    }
+    for (const RandomExtremes& each : random) {
+        randomList.push_back({{"seed", each.seed}, {"runs", extremeRunsJson(each.runs)}});
+        all.insert(all.end(), each.runs.begin(), each.runs.end());
+    }
+    const ExtremeCounts counts = countsOf(all);
+    Json number;
+    for (int ending = 0; ending < extremeEndings; ++ending)
+        number[std::string(wordOf(static_cast<ExtremeEnding>(ending)))] =
+            counts.endings[static_cast<std::size_t>(ending)];
+    number["median_s"] = counts.median;
+    number["longest_s"] = counts.longest;
+    return dumped({{"cases", caseList}, {"random", randomList}, {"counts", number}}, 2);
+}
+
 namespace {
 
 std::string_view outcomeWord(const SafetyFactor& found) {

@@ -12,6 +12,8 @@
 #include "solver/run/model_summary.h"
 #include "solver/run/safety.h"
 #include "solver/scene/problem.h"
+#include "solver/trade/stress.h"
+#include "solver/verify/extremes/extremes.h"
 #include "solver/verify/verify.h"
 
 #include <optional>
@@ -54,6 +56,11 @@ std::string infoJson(const RunStore& store, const std::optional<ErrorEstimate>& 
 /// other run, and `on` is the block on which the bolt acts, named as in that run. `a` or `b` of a bolt is null if the
 /// bolt is not in that run.
 std::string compareJson(const RunStore& a, const RunStore& b, const RunComparison& found);
+/// Output of `stress`: `quantities[], own {seconds, values[], failure}, pushes[] {axis, push, physical, ending, change,
+/// quantity, reason, warnings[], remedy, seconds}, breaks_first, answer, interrupted`. `ending` is `same`, `moved`,
+/// `refused`, `stopped` or `verdict` (the scene becomes unstable or stable); `change` is null if a quantity has no number
+/// to compare; `breaks_first` is an index of `pushes`, or null.
+std::string stressJson(const StressTest& stress);
 
 /// Output of `verify`: `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
 std::string casesJson(std::span<const CaseResult> results);
@@ -61,6 +68,11 @@ std::string casesJson(std::span<const CaseResult> results);
 /// Output of `verify --paper`: `tables[] {title, rows[] {quantity, unit, paper, reference, keyblock, tolerance,
 /// passed}}`.
 std::string paperJson(std::span<const PaperTable> tables);
+
+/// Output of `verify --extremes`: `cases[] {name, scene, axis, property, runs[] {value, ending, quantity, measured,
+/// expected, tolerance, reason, seconds}}, random[] {seed, runs[] {…}}, counts {right, refused, stopped, warned, wrong,
+/// median_s, longest_s}`. `quantity` is the one that deviates most for its tolerance; `ending` is a key of `counts`.
+std::string extremesJson(std::span<const ExtremeCaseRuns> cases, std::span<const RandomExtremes> random);
 
 /// Output of `safety`: `reduce, bolt_forces, tolerance, factor {lower, upper}, answer, lower, upper, outcome, blocks[],
 /// runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[] {name, movement, displacement_m,

@@ -5,6 +5,7 @@
 // computed values next to the expected ones, or prints the tables of the paper. A case
 // that does not run counts as missed and does not stop the others.
 #include "app/cli/cli_commands.h"
+#include "app/cli/extremes_command.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
@@ -149,6 +150,9 @@ ExitCode performPaper(const VerifyOptions& options) {
 
 }  // namespace
 
-ExitCode perform(const VerifyOptions& options) { return options.paper ? performPaper(options) : performCases(options); }
+ExitCode perform(const VerifyOptions& options) {
+    if (options.extremes) return performExtremes(options);
+    return options.paper ? performPaper(options) : performCases(options);
+}
 
 }  // namespace keyblock::cli

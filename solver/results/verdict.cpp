@@ -14,6 +14,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr double residualAllowed = 0.02;  // allowed unbalanced force at rest, as a fraction of the acting forces
+constexpr double penetrationAllowed = 0.05;  // allowed penetration, as a fraction of the size of the smaller block
 constexpr double balanceAllowed = 0.01;  // allowed error of the energy balance, as a fraction of its largest term
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }
@@ -23,6 +25,21 @@ std::string balanceWarning(double error, const std::string& inStage) {
     if (error <= balanceAllowed) return {};
     if (!std::isfinite(error)) return "the energy balance error" + inStage + " is not a finite number";
     return "energy balance error of " + percent(error) + inStage + ", more than " + percent(balanceAllowed);
+}
+
+/// The warning about the largest penetration of a stage; empty if it is allowed.
+std::string penetrationWarning(double ratio, const std::string& inStage) {
+    if (ratio <= penetrationAllowed) return {};
+    return "blocks penetrate each other by up to " + percent(ratio) + " of the size of the smaller one" + inStage +
+           ", more than " + percent(penetrationAllowed) + ": contacts are too soft for the forces on them";
+}
+
+/// The warning about the unbalanced forces of a static stage, whose search ends where round-off does not allow a better
+/// balance; empty if they are allowed.
+std::string residualWarning(const Stage& stage, double residual, const std::string& inStage) {
+    if (stage.kind != StageKind::Static || residual <= residualAllowed) return {};
+    return "forces of " + percent(residual) + " of those that act are unbalanced" + inStage + ", more than " +
+           percent(residualAllowed) + ": stiffnesses differ by too many digits, for example of contacts and bolts";
 }
 
 }  // namespace
@@ -62,6 +79,11 @@ std::vector<StageWarning> stageWarnings(const RunSource& run) {
                                                   percent(worst.share) + " of its weight unbalanced" + in + ", more than " +
                                                   percent(allowed)});
         if (const std::string text = balanceWarning(std::abs(result.health.balanceError), in); !text.empty())
+            warnings.push_back({result.stage, text});
+        if (const std::string text = residualWarning(run.scene().stages[result.stage], result.health.maxResidual, in);
+            !text.empty())
+            warnings.push_back({result.stage, text});
+        if (const std::string text = penetrationWarning(result.health.maxPenetrationRatio, in); !text.empty())
             warnings.push_back({result.stage, text});
     }
     return warnings;

@@ -34,8 +34,10 @@ struct StageWarning {
     std::string text;  // without a full stop
 };
 
-/// What the preset of the run must say, then warnings for all completed stages, in stage order. A stage gets a warning if the unbalanced force on a block, as a
-/// fraction of the block's weight, exceeds `until.body`, and another if its energy balance error exceeds 1 %.
+/// What the preset of the run must say, then warnings for all completed stages, in stage order. A stage gets a warning if
+/// the unbalanced force on a block, as a fraction of the block's weight, exceeds `until.body`, another if its energy
+/// balance error exceeds 1 %, another if a static stage leaves forces of more than 2 % of the acting ones unbalanced, and
+/// another if blocks penetrate each other by more than 5 % of the size of the smaller one.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 
 /// The result of the stage with the largest ratio of a block's unbalanced force to the block's weight; none if no block

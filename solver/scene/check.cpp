@@ -53,7 +53,8 @@ std::vector<Problem> checkScene(const Scene& document, std::optional<SceneCut>* 
     }
     const Scene& scene = cut ? cut->scene : document;
     CheckContext context{scene, geometricTolerance(scene), {}, {}, document, isCut, report};
-    for (const auto part : {checkRock, checkBoltTypes, checkBolts, checkBodies, checkStages, checkWatch})
+    for (const auto part :
+         {checkRock, checkBoltTypes, checkBolts, checkBodies, checkStages, checkWatch, checkStiffness})
         if ((!stop || !*stop) && !report.isFull()) part(context);
     if (made) *made = std::move(cut);
     return std::move(report.problems);

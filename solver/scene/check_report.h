@@ -94,6 +94,7 @@ void checkAccelerations(const Stage& stage, const std::string& pointer, CheckCon
 void checkLengthOfRecords(CheckContext& context);
 void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context);
 void checkActivation(CheckContext& context);  // names that stages excavate, install and remove
+void checkStiffness(CheckContext& context);  // loads and motion against stiffness and time step; after all others
 void checkWatch(CheckContext& context);  // monitors, quantities and expected values
 
 /// True if the bolt runs through a valid block that is not excavated.

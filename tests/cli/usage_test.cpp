@@ -26,7 +26,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
     const Ended whole = keyblock({"--help"});
     EXPECT_EQ(whole.code, 0);
     for (const std::string verb :
-         {"run", "check", "info", "export", "import", "safety", "trade", "compare", "report", "sweep", "verify", "bolts"}) {
+         {"run", "check", "info", "export", "import", "safety", "trade", "stress", "compare", "report", "sweep", "verify", "bolts"}) {
         EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
         const Ended ended = keyblock({verb, "--help"});
         EXPECT_EQ(ended.code, 0) << verb;

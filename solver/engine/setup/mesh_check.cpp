@@ -14,6 +14,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double largestOpening = 0.02;  // too far, as a fraction, where a node lies on a joint
 constexpr double largestShare = 0.3;  // of the transfer length: a pull then opens the joint 1 % too far
 
 std::string millimetres(double metres) {
@@ -59,11 +60,17 @@ void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bo
 /// per node have no transfer length of their own, because the number of nodes is part of their law.
 struct BondMesh {
     double element = 0.0, transfer = 0.0;  // [m]
+    bool onNode = false;  // a node lies on the joint, so that the bar is free over two elements
 
     double share() const { return transfer > 0.0 ? element / transfer : 0.0; }
+    /// Excess of the opening under a pull, as a fraction.
+    double opens() const {
+        const double x = share();
+        return std::sqrt(1.0 + 0.25 * x * x) - 1.0 + (onNode ? 0.5 * x : 0.0);
+    }
 };
 
-BondMesh bondMeshOf(const BoltModel& bolt) {
+BondMesh bondMeshOf(const BoltModel& bolt, double tolerance) {
     BondMesh worst;
     const double axial = bolt.section.youngsModulus * bolt.section.area;
     for (std::size_t e = 0; e < bolt.elements.size(); ++e)
@@ -71,8 +78,11 @@ BondMesh bondMeshOf(const BoltModel& bolt) {
             const AnchorModel& anchor = bolt.anchors[n];
             const double stiffness = anchor.curve ? anchor.curve->modulus : anchor.stiffness;
             if (!bolt.elements[e].shears || !anchor.real || anchor.per != Per::Length || stiffness <= 0.0) continue;
-            const BondMesh here{bolt.elements[e].length, std::sqrt(axial / stiffness)};
-            if (here.share() > worst.share()) worst = here;
+            const bool node = std::any_of(bolt.joints.begin(), bolt.joints.end(), [&](double joint) {
+                return std::min(std::abs(bolt.s[e] - joint), std::abs(bolt.s[e + 1] - joint)) <= tolerance;
+            });
+            const BondMesh here{bolt.elements[e].length, std::sqrt(axial / stiffness), node};
+            if (here.opens() > worst.opens()) worst = here;
         }
     return worst;
 }
@@ -85,18 +95,20 @@ std::string percent(double share) {
 
 /// Warns of elements that are too long for the bond. The errors are those of an infinite bar with springs at every node
 /// and a joint in the middle of an element, compared with a continuous bond (theory, "Divisions").
-void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
-    const BondMesh mesh = bondMeshOf(bolt);
-    const double x = mesh.share();
-    if (x <= largestShare) return;
-    const double opens = std::sqrt(1.0 + 0.25 * x * x) - 1.0, lasts = std::expm1(2.0 * std::asinh(0.5 * x)) / x - 1.0;
+void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, double tolerance,
+               std::vector<Problem>& problems) {
+    const BondMesh mesh = bondMeshOf(bolt, tolerance);
+    const double x = mesh.share(), opens = mesh.opens();
+    if (x <= largestShare && !(mesh.onNode && opens > largestOpening)) return;
+    const double lasts = std::expm1(2.0 * std::asinh(0.5 * x)) / x - 1.0;
     const double wanted = std::ceil(bolt.s.back() / (0.25 * mesh.transfer));
     const bool possible = wanted <= 1e5;
     Problem problem;
     problem.severity = Severity::Warning;
     problem.pointer = under(boltPointer(scene, index), "divisions");
-    problem.message = "bolt " + bolt.name + " has elements of " + millimetres(mesh.element) + " at a joint, " +
-                      percent(x) + " of the " + millimetres(mesh.transfer) +
+    problem.message = "bolt " + bolt.name + " has elements of " + millimetres(mesh.element) + " at a joint" +
+                      (mesh.onNode ? ", on which a node lies, " : ", ") + percent(x) + " of the " +
+                      millimetres(mesh.transfer) +
                       " over which its bond takes up a force: under a pull the joint opens " + percent(opens) +
                       " too far, and a bond with a peak strength fails at a load " + percent(lasts) + " too high";
     problem.remedy = scene.bolts[index].divisions
@@ -156,7 +168,7 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
     const Model model = makeModel(scene);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
         checkAnchorNodes(scene, i, model.bolts[i], problems);
-        checkBond(scene, i, model.bolts[i], problems);
+        checkBond(scene, i, model.bolts[i], model.tolerance, problems);
         checkAnchorCount(scene, i, model.bolts[i], problems);
         checkDowel(scene, i, model.bolts[i], model.tolerance, problems);
     }
