@@ -199,7 +199,7 @@ void checkMotionOf(const Stage& stage, const std::string& pointer, const RockExt
 void checkStageSizes(const RockExtent& extent, CheckContext& context) {
     const Scene& scene = context.scene;
     double largest = extent.overburden;
-    bool moves = false, hasMotions = scene.inSituStress.has_value() || !scene.bolts.empty();
+    bool moves = false, hasMotions = scene.inSituStress.has_value();
     for (const Block& block : scene.blocks)
         for (const double stress : block.initialStress) largest = std::max(largest, std::abs(stress));
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {

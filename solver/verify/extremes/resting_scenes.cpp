@@ -21,9 +21,6 @@ std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> 
     return all;
 }
 
-/// Forces may deviate by 0.1 %, or by ten times the iteration tolerance.
-double forceShare(const Conditions& c) { return std::max(1e-3, 10.0 * c.tolerance); }
-
 // --- a box on a slab
 
 Scene boxAtRest(const Conditions& c) {
@@ -221,7 +218,7 @@ void judgeKeystone(const Conditions& c, const Solved& solved, Findings& findings
     findings.holds("the key block is stable", endedWell(solved));
     for (const int side : {0, 1})
         findings.near("force of an abutment, N", contactsBetween(solved, side, 2).normal, expected,
-                      (std::max(2e-3, 10.0 * c.tolerance) + 3.0 * gives / c.size) * expected);
+                      (std::max(2e-3, forceShare(c)) + 3.0 * gives / c.size) * expected);
 }
 
 // --- a block under pressure
@@ -239,7 +236,7 @@ Scene pressed(const Conditions& c) {
 void judgePressed(const Conditions& c, const Solved& solved, Findings& findings) {
     const double pressure = c.load * 1e6, strain = pressure / c.modulus;
     findings.holds("the block is stable", endedWell(solved));
-    const double own = std::max(1e-2, 10.0 * c.tolerance);
+    const double own = std::max(1e-2, forceShare(c));
     const double whole = pressure * c.size * c.thickness, widens = 1.0 + c.poisson * strain;
     findings.near("force on the slab, N", contactsBetween(solved, 0, 1).normal, whole * widens,
                   (own + 0.1 * strain + strain * strain) * whole);

@@ -112,6 +112,8 @@ bool endedUnstable(const Solved& solved) {
     return !solved.results.stages.empty() && endedUnstable(solved.results.stages.back().outcome);
 }
 
+double forceShare(const Conditions& conditions) { return std::clamp(10.0 * conditions.tolerance, 1e-3, 0.02); }
+
 double axialForce(const Solved& solved) {
     double largest = 0.0;
     for (const BoltNodeFrame& node : solved.results.frames.back().bolts.front().nodes)

@@ -56,6 +56,9 @@ Point contactForceOn(const Conditions& conditions, const Solved& solved, int blo
 /// Deflection of contacts of a block under half of a force each [m]; none where multipliers keep them closed.
 double contactClosure(const Conditions& conditions, double force);
 
+/// Share by which forces may deviate: 0.1 %, or ten times the iteration tolerance up to 2 %.
+double forceShare(const Conditions& conditions);
+
 /// Largest magnitude of the axial force in the first bolt at the end [N].
 double axialForce(const Solved& solved);
 
