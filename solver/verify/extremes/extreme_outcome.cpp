@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double mostSeconds = 12.0;  // [s] of a run, after which it counts as stopped
+constexpr double mostSeconds = 8.0;  // [s] of a run, after which it counts as stopped
 constexpr double energyAllowed = 0.05;  // energy balance error / largest term
 
 void takeProblems(const std::vector<Problem>& problems, ExtremeOutcome& outcome) {
