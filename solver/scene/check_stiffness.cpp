@@ -11,6 +11,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
+#include "solver/scene/preset.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ void checkStress(double stress, const std::string& what, const std::string& poin
                                    inQuotes(extent.softName) + " by up to " + shareText(strain) +
                                    ": results are meant for small strains, up to about " + shareText(mostStrain),
                                "Check the units of loads, 'density' and 'youngs_modulus'");
-    const double ratio = context.scene.analysis.penaltyRatio, penetration = stress / (2.0 * ratio * extent.weakest);
+    const double ratio = numericsOf(context.scene.analysis).penaltyRatio, penetration = stress / (2.0 * ratio * extent.weakest);
     if (penetration > mostPenetration)
         context.report.warning(pointer == "/analysis/gravity" ? "/analysis/penalty_ratio" : pointer,
                                "contacts with the material " + inQuotes(extent.weakestName) + " are so soft that " +
@@ -98,14 +99,14 @@ void checkStress(double stress, const std::string& what, const std::string& poin
 
 void checkWeight(const RockExtent& extent, CheckContext& context) {
     checkStress(extent.overburden, "the weight of the rock", "/analysis/gravity", extent, context);
-    const double slip = extent.overburden / (2.0 * context.scene.analysis.penaltyRatio *
+    const double slip = extent.overburden / (2.0 * numericsOf(context.scene.analysis).penaltyRatio *
                                              context.scene.analysis.shearRatio * extent.weakest);
     if (slip > mostPenetration && context.scene.analysis.shearRatio < 1.0)
         context.report.warning("/analysis/shear_ratio",
                                "contacts are so soft in shear that blocks may move by up to " + shareText(slip) +
                                    " of their size along a joint before friction holds them",
                                "Give a larger 'shear_ratio'");
-    const double closure = extent.heaviest / (2.0 * context.scene.analysis.penaltyRatio * extent.weakest);
+    const double closure = extent.heaviest / (2.0 * numericsOf(context.scene.analysis).penaltyRatio * extent.weakest);
     if (closure > mostOfSmallest * extent.smallest)
         context.report.warning("/analysis/penalty_ratio",
                                "the weight of the largest block presses contacts together by up to " +
@@ -150,7 +151,7 @@ void checkInitialMotion(const InitialVelocity& initial, double step, const std::
     const double density = materialOf(context.scene, own).density;
     const double strain = speed * std::sqrt(density / extent.weakest);
     const double penetration = speed *
-                               std::sqrt(density / (2.0 * context.scene.analysis.penaltyRatio * extent.weakest));
+                               std::sqrt(density / (2.0 * numericsOf(context.scene.analysis).penaltyRatio * extent.weakest));
     if (speed * step > size)
         context.report.warning(under(pointer, "velocity"),
                                "the block moves by " + shareText(speed * step / size) +
@@ -180,7 +181,7 @@ void checkInitialMotion(const InitialVelocity& initial, double step, const std::
 }
 
 void checkMotionOf(const Stage& stage, const std::string& pointer, const RockExtent& extent, CheckContext& context) {
-    const double step = std::min(stage.timeStep.value_or(automaticTimeStep(stage)), stage.duration);
+    const double step = std::min(stage.timeStep.value_or(automaticTimeStep(context.scene, stage)), stage.duration);
     if (!(step > 0.0) || !std::isfinite(step)) return;
     const double fall = 0.5 * context.scene.analysis.gravity.norm() * step * step;
     if (fall > mostFall * extent.smallest)

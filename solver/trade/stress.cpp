@@ -6,6 +6,7 @@
 #include "solver/scene/automatic.h"
 #include "solver/scene/check.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/preset.h"
 #include "solver/trade/trade_errors.h"
 
 #include <algorithm>
@@ -40,13 +41,13 @@ void addTimeSteps(std::vector<StressPush>& pushes) {
                    [factor](Scene& scene) {
                        for (Stage& stage : scene.stages)
                            if (stage.kind == StageKind::Dynamic)
-                               stage.timeStep = factor * stage.timeStep.value_or(automaticTimeStep(stage));
+                               stage.timeStep = factor * stage.timeStep.value_or(automaticTimeStep(scene, stage));
                    }));
 }
 
 void addPenalties(const Scene& scene, std::vector<StressPush>& pushes) {
     for (const double factor : {0.1, 0.01, 10.0, 100.0}) {
-        const double value = factor * scene.analysis.penaltyRatio;
+        const double value = factor * numericsOf(scene.analysis).penaltyRatio;
         pushes.push_back(pushed("penalty ratio", factor, false,
                                 "give joint materials a 'normal_stiffness', or \"contact\": \"augmented-lagrangian\"",
                                 [value](Scene& changed) { changed.analysis.penaltyRatio = value; }));
@@ -55,7 +56,7 @@ void addPenalties(const Scene& scene, std::vector<StressPush>& pushes) {
 
 void addTolerances(const Scene& scene, std::vector<StressPush>& pushes) {
     for (const double factor : {0.01, 0.1, 10.0, 100.0}) {
-        const double value = factor * scene.analysis.tolerance;
+        const double value = factor * numericsOf(scene.analysis).tolerance;
         if (value > 0.1) continue;
         pushes.push_back(pushed("tolerance", factor, false, "give a 'tolerance' ten times smaller",
                                 [value](Scene& changed) { changed.analysis.tolerance = value; }));
