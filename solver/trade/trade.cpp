@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::array combinedErrors{0.1, 0.03, 0.01,
                                     0.003};  // largest error of a combination, shared among its settings
-// ratios from which a run is not cheaper: of work, of time with less work, and of time alone
-constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 
 class Measuring {
 public:
@@ -125,14 +123,6 @@ private:
             if (!add(all)) return false;
         }
         return true;
-    }
-
-    /// True if a run took less time, by more than times vary from run to run, and not by chance: it did less work, solved
-    /// for fewer unknowns, or is on an axis that changes the time alone.
-    static bool isCheaper(const TradePoint& point, const TradePoint& own) {
-        const bool timeAlone = point.axis == sleepAxisName || point.axis == threadsAxisName;
-        const bool less = workOf(point.work) < sameWork * workOf(own.work) || point.unknowns < own.unknowns;
-        return less ? point.seconds < sameTime * own.seconds : timeAlone && point.seconds < otherTime * own.seconds;
     }
 
     /// The fastest setting of an axis that changes no quantity of the scene's own settings by more than `error`; null

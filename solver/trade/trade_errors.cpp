@@ -13,6 +13,8 @@ namespace keyblock {
 
 namespace {
 
+// ratios from which a run is not cheaper: of work, of time with less work, and of time alone
+constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double noEffect = 1e-6;  // change over the value: smaller ones do not show how a quantity converges
 constexpr double leastError = 1e-6;  // smaller errors are equal on the front
@@ -138,7 +140,19 @@ int recommendedPoint(const Trade& trade, double most) {
 
 bool isPreset(const TradePoint& point) { return point.axis == presetAxisName || point.axis == ownPoint; }
 
-int recommendedPreset(const Trade& trade, double most) { return fastest(trade, most, isPreset); }
+bool isCheaper(const TradePoint& point, const TradePoint& own) {
+    const bool timeAlone = point.axis == sleepAxisName || point.axis == threadsAxisName;
+    const bool less = workOf(point.work) < sameWork * workOf(own.work) || point.unknowns < own.unknowns;
+    return less ? point.seconds < sameTime * own.seconds : timeAlone && point.seconds < otherTime * own.seconds;
+}
+
+int recommendedPreset(const Trade& trade, double most) {
+    const TradePoint &own = trade.points.front(), &reference = trade.points[trade.reference];
+    const bool ownIsGood = largestError(own, reference, trade.quantities) <= most;
+    return fastest(trade, most, [&](const TradePoint& point) {
+        return isPreset(point) && (!ownIsGood || point.axis == ownPoint || isCheaper(point, own));
+    });
+}
 
 std::string nameOf(const TradePoint& point) {
     if (point.axis == ownPoint) return point.axis + (point.preset.empty() ? "" : " (" + point.preset + ")");

@@ -35,10 +35,14 @@ bool isOnFront(const Trade& trade, std::size_t point);
 /// The fastest point with an error of at most `most`; −1 if there is none.
 int recommendedPoint(const Trade& trade, double most);
 
+/// Whether a run took less time than that with the scene's own settings, by more than times vary from run to run, and not
+/// by chance: it did less work, solved for fewer unknowns, or is on an axis that changes the time alone.
+bool isCheaper(const TradePoint& point, const TradePoint& own);
+
 /// Whether the point was measured with a preset, the scene's own included.
 bool isPreset(const TradePoint& point);
 
-/// The fastest preset with an error of at most `most`; −1 if there is none.
+/// The fastest preset with an error of at most `most`, the scene's own unless another is cheaper; −1 if there is none.
 int recommendedPreset(const Trade& trade, double most);
 
 /// One sentence on a point, to quote: how much faster than the scene's own settings, for a preset by the name of the

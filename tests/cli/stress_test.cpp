@@ -37,9 +37,13 @@ TEST_F(StressCommand, AnswersInJson) {
     EXPECT_FALSE(answer["interrupted"].get<bool>());
     bool tooMuch = false;  // 14 kN are 0.53 of the weight, less than tan 30°; 70 kN are more
     for (const auto& push : answer["pushes"]) {
-        if (push["axis"] == "load" && push["push"] == "× 2") EXPECT_NE(push["ending"], "verdict");
+        if (push["axis"] == "load" && push["push"] == "× 2") {
+            EXPECT_NE(push["ending"], "verdict");
+        }
         if (push["axis"] == "load" && push["push"] == "× 10") tooMuch = push["ending"] == "verdict";
-        if (push["axis"] == "coordinates" && push["push"] == "+ 1e+04 m") EXPECT_EQ(push["ending"], "same");
+        if (push["axis"] == "coordinates" && push["push"] == "+ 1e+04 m") {
+            EXPECT_EQ(push["ending"], "same");
+        }
     }
     EXPECT_TRUE(tooMuch) << ended.out;
 }

@@ -77,15 +77,16 @@ void AccuracyPanel::fill() {
     detail_->setText(detail());
     detail_->setVisible(!detail_->text().isEmpty());
     if (hasResult(runs_.trade())) chart_->show(tradeChartOf(runs_.trade()));
-    else chart_->clear(busy ? tr("The first run has not ended yet.") : QString());
+    else chart_->clear(busy ? tr("The first run has not ended yet.")
+                            : tr("Runs the scene with coarser and finer numerical settings, and shows what each costs "
+                                 "and changes."));
 }
 
 QString AccuracyPanel::answer() const {
     if (!runs_.problem().isEmpty()) return runs_.problem();
     const Trade& trade = runs_.trade();
     if (runs_.isBusy()) return runs_.label().isEmpty() ? tr("Starting") : runs_.label();
-    if (trade.points.empty())
-        return tr("Runs the scene with coarser and finer numerical settings, and shows what each costs and changes.");
+    if (trade.points.empty()) return tr("Not measured");
     if (!hasResult(trade))
         return tr("The scene has no result to compare with: %1")
             .arg(QString::fromStdString(trade.points.front().failure));

@@ -100,5 +100,26 @@ TEST(TradeFront, RecommendsTheFastestThatIsCloseEnough) {
     EXPECT_EQ(sentenceOn(trade, 2), "time_step 2.000000: 2 × faster than the scene's own settings, last crown.u +40 %");
 }
 
+/// A preset that takes `seconds` and `factorizations`, with an error of `error` in a quantity of 10.
+TradePoint presetPoint(const std::string& name, double seconds, long factorizations, double error) {
+    TradePoint result = point(presetAxisName, 0.0, seconds, 10.0 * (1.0 + error));
+    result.setting = result.preset = name;
+    result.work.fullFactorizations = result.work.factorizations = factorizations;
+    return result;
+}
+
+TEST(TradePresets, RecommendTheFastestThatIsCheaperAndCloseEnough) {
+    Trade trade = squareTrade();
+    trade.points = {presetPoint("engineering", 4.0, 100, 0.01), point(referencePoint, 0.0, 50.0, 10.0),
+                    presetPoint("draft", 2.0, 50, 0.02), presetPoint("sketch", 1.0, 25, 0.2),
+                    presetPoint("reference", 3.0, 400, 0.0)};
+    trade.points.front().axis = ownPoint;
+    EXPECT_EQ(recommendedPreset(trade, 0.03), 2);
+    EXPECT_EQ(recommendedPreset(trade, 0.3), 3);
+    EXPECT_EQ(recommendedPreset(trade, 0.015), 0) << "reference was faster by chance: it did more work";
+    EXPECT_EQ(recommendedPreset(trade, 0.001), 4);
+    EXPECT_NE(sentenceOn(trade, 2).find("draft: 2 × faster than engineering"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace keyblock
