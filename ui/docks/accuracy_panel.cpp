@@ -40,6 +40,7 @@ AccuracyPanel::AccuracyPanel(const Themes& themes, Document& document, TradeRuns
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
+    detail_->setMinimumHeight(detail_->fontMetrics().lineSpacing());  // the chart stays where it is
     progress_->setTextVisible(false);
     progress_->setFixedHeight(6);
     start_->setObjectName("accuracy.start");
@@ -75,7 +76,6 @@ void AccuracyPanel::fill() {
     progress_->setValue(static_cast<int>(100.0 * runs_.fraction()));
     answer_->setText(answer());
     detail_->setText(detail());
-    detail_->setVisible(!detail_->text().isEmpty());
     if (hasResult(runs_.trade())) chart_->show(tradeChartOf(runs_.trade()));
     else chart_->clear(busy ? tr("The first run has not ended yet.")
                             : tr("Runs the scene with coarser and finer numerical settings, and shows what each costs "

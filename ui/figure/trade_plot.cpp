@@ -154,7 +154,8 @@ void TradePlot::drawDot(Ink& ink, const TradeDot& dot) const {
     ink.circle(placeOf(dot), dot.onFront ? frontRadius : dotRadius, colourOf(dot.axis), Stroke{0.15, theme_.ground});
 }
 
-/// Writes the name beside its dot, on the side where there is room, unless another dot or name is there.
+/// Writes the name beside its dot, on the side where there is room, unless another dot or name or the title of the axis is
+/// there.
 void TradePlot::drawName(Ink& ink, const TradeDot& dot) {
     const Point at = placeOf(dot);
     const double room = std::max(at.x() - left_, right_ + keyRoom_ - at.x()) - nameGap;
@@ -164,7 +165,7 @@ void TradePlot::drawName(Ink& ink, const TradeDot& dot) {
     for (const double shift : {0.7, -2.0, 3.2, -4.4, 5.6}) {
         const double from = toRight ? at.x() + nameGap : at.x() - nameGap - width;
         const Box box{{from, at.y() + shift - nameHeight}, {from + width, at.y() + shift}};
-        if (box.max.y() > bottom_ + 0.8 ||
+        if (box.max.y() > bottom_ + 0.8 || box.min.y() < top_ - 0.5 ||
             std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return overlap(other, box); }))
             continue;
         taken_.push_back(box);

@@ -61,7 +61,7 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"unknown-key-in-block", "/blocks/0/pionts", "'points'"},
         {"safety-of-plates", "/safety/reduce", "'bonds'"},
         {"safety-without-tolerance", "/safety/tolerance", "out of range"},
-        {"later-preset", "/analysis/preset", "no key"},
+        {"unknown-preset", "/analysis/preset", "'sketch', 'draft'"},
         {"missing-points", "/blocks/0/points", "no 'points'"},
         {"missing-density", "/materials/rock/density", "no 'density'"},
         {"missing-head", "/bolts/0/head", "no 'head'"},
