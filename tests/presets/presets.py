@@ -146,6 +146,8 @@ def kind_of(scene, quantity):
 
 
 def percent(value):
+    if value >= 1.0:
+        return f"{100 * value:.0f} %"
     return "0" if value < 5e-6 else f"{100 * value:.2g} %"
 
 
@@ -178,8 +180,9 @@ def page(arguments):
                  f"{len(flips)} of {len(judged)}" + (f" ({', '.join(flips)})" if flips else "")]
         for kind in ("forces in bolts", "displacements and others", "openings at the first event", "number of events"):
             found = [e for n, r in whole.items() for q, e in errors(n, r[preset], r["reference"]).items()
-                     if kind_of(scene_of(n), q) == kind]
-            cells.append("–" if preset == "reference" else f"{percent(median(found))} ({percent(max(found, default=0))})")
+                     if kind_of(scene_of(n), q) == kind and e > 0.0]
+            cells.append("–" if preset == "reference" else
+                         f"{percent(median(found))} ({percent(max(found))})" if found else "0")
         summary += row(cells)
     scenes = row(["scene"] + [f"{p}: work, largest error" for p in PRESETS[:-1]] + ["reference: work"])
     scenes += row(["---"] * 5)
@@ -198,9 +201,9 @@ def page(arguments):
             cells.append(ratio if preset == "reference" else
                          f"{ratio}, {percent(found[worst]) if worst else '–'}{at}{note}")
         scenes += row(cells)
-    failed = [f"- {n}, {p}: {one['failure']}\n" for n, r in results.items() for p, one in r.items() if "failure" in one]
+    failed = [f"- {n}, {p} has no result: {one['failure']}\n" for n, r in results.items() for p, one in r.items() if "failure" in one]
     counts = {"@settings@": settings(), "@scenes@": str(len(results)), "@judged@": str(len(judged)), "@summary@": summary, "@table@": scenes,
-              "@failed@": "".join(failed) or "All runs have results.\n"}
+              "@failed@": "".join(failed) or "All runs ended with a result.\n"}
     for key, value in counts.items():
         text = text.replace(key, value)
     arguments.page.write_text(text, encoding="utf-8")
