@@ -45,7 +45,10 @@ AccuracyPanel::AccuracyPanel(const Themes& themes, Document& document, TradeRuns
     progress_->setFixedHeight(6);
     start_->setObjectName("accuracy.start");
     stop_->setObjectName("accuracy.stop");
-    for (QPushButton* button : {start_, stop_}) button->setAccessibleName(button->text());
+    for (QPushButton* button : {start_, stop_}) {
+        button->setAccessibleName(button->text());
+        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    }
     auto* row = new QHBoxLayout;
     row->addWidget(answer_, 1);
     row->addWidget(stop_, 0, Qt::AlignTop);

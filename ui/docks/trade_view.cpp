@@ -68,7 +68,8 @@ void TradeView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), themes_.current().panel);
     if (!hasPlot()) {
         painter.setPen(themes_.current().text3);
-        painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignCenter | Qt::TextWordWrap, message_);
+        painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                         TradePlot::canShow(chart_) ? tr("Enlarge this panel to see the chart.") : message_);
         return;
     }
     painter.setRenderHint(QPainter::Antialiasing);
