@@ -7,9 +7,9 @@
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
+#include "app/cli/runnable_scene.h"
 #include "app/cli/stop_signals.h"
 #include "app/cli/text_table.h"
-#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "solver/trade/stress.h"
 
@@ -34,22 +34,10 @@ void printPush(const StressPoint& point) {
                                  shownSeconds(point.seconds), text}));
 }
 
-std::optional<SceneReading> sceneToPush(const StressOptions& options) {
-    SceneReading reading = readSceneFile(options.scene, options.overrides);
-    for (const Problem& problem : reading.problems)
-        if (problem.severity == Severity::Error) printToError(oneLine(problem) + '\n');
-    if (!reading.scene) return std::nullopt;
-    if (reading.scene->stages.empty()) {
-        printErrorLine(options.scene.string() + ": /stages: the scene has no stages, so there is nothing to run");
-        return std::nullopt;
-    }
-    return reading;
-}
-
 }  // namespace
 
 ExitCode perform(const StressOptions& options) {
-    const std::optional<SceneReading> read = sceneToPush(options);
+    const std::optional<SceneReading> read = runnableScene(options.scene, options.overrides);
     if (!read) return Invalid;
     Control control;
     const StopSignals signals(control.stop);

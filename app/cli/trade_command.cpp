@@ -6,10 +6,10 @@
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
+#include "app/cli/runnable_scene.h"
 #include "app/cli/stop_signals.h"
 #include "app/cli/text_table.h"
 #include "app/cli/trade_chart.h"
-#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "solver/trade/trade.h"
 #include "solver/trade/trade_errors.h"
@@ -24,19 +24,6 @@ namespace {
 
 const std::vector<TextColumn> pointColumns{
     {"settings", Align::Left, 44}, {"time, s", Align::Right, 9}, {"work", Align::Right, 9}, {""}};
-
-/// The scene if it can be run. Otherwise prints the reasons on standard error.
-std::optional<SceneReading> runnableScene(const TradeOptions& options) {
-    SceneReading reading = readSceneFile(options.scene, options.overrides);
-    for (const Problem& problem : reading.problems)
-        if (problem.severity == Severity::Error) printToError(oneLine(problem) + '\n');
-    if (!reading.scene) return std::nullopt;
-    if (reading.scene->stages.empty()) {
-        printErrorLine(options.scene.string() + ": /stages: the scene has no stages, so there is nothing to run");
-        return std::nullopt;
-    }
-    return reading;
-}
 
 void printPoint(const TradePoint& point) {
     print(
@@ -62,7 +49,7 @@ std::string answer(const Trade& trade) {
 }  // namespace
 
 ExitCode perform(const TradeOptions& options) {
-    const std::optional<SceneReading> read = runnableScene(options);
+    const std::optional<SceneReading> read = runnableScene(options.scene, options.overrides);
     if (!read) return Invalid;
     const Scene& scene = *read->scene;
     TradeFolder folder(options.out, scene);

@@ -4,6 +4,7 @@
 
 #include "solver/results/quantity.h"
 #include "solver/scene/automatic.h"
+#include "solver/scene/bond_per_node.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/preset.h"
 #include "solver/trade/trade_errors.h"
@@ -34,11 +35,6 @@ std::optional<Refinement> finerSteps(const Scene& scene) {
     finer.text = steps ? "half the time step" : "";
     if (increments) finer.text += std::string(steps ? " and " : "") + "twice the increments";
     return finer;
-}
-
-bool isGivenPerNode(const std::vector<Anchor>& anchors) {
-    return std::any_of(anchors.begin(), anchors.end(),
-                       [](const Anchor& anchor) { return !anchor.at && anchor.per == Per::Node; });
 }
 
 /// \param solved the scene after cutting, to which `bolt` refers.

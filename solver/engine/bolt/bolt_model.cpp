@@ -7,6 +7,7 @@
 #include "solver/engine/bolt/slots.h"
 #include "solver/scene/anchor_curve.h"
 #include "solver/scene/automatic.h"
+#include "solver/scene/bond_per_node.h"
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/lookup.h"
 
@@ -257,12 +258,6 @@ void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& interv
 
 bool isBonded(const std::vector<Anchor>& anchors) {
     return std::any_of(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return !anchor.at; });
-}
-
-/// Such a bond would be as strong as it has nodes.
-bool isGivenPerNode(const std::vector<Anchor>& anchors) {
-    return std::any_of(anchors.begin(), anchors.end(),
-                       [](const Anchor& anchor) { return !anchor.at && anchor.per == Per::Node; });
 }
 
 /// The automatic mesh (theory, "Divisions").
