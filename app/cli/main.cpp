@@ -3,13 +3,11 @@
 //
 // Reads the command line, performs the command and returns its exit code. Exceptions
 // of a command are reported here, on one line, with the exit code for their kind.
+#include "app/cli/blas_choice.h"
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
 #include "solver/files/read_error.h"
 #include "solver/files/run_store/run_store_writer.h"
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <exception>
@@ -71,22 +69,15 @@ ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
 
 }  // namespace
 
-/// Ends the program. With a limit of its address space, OpenBLAS may not have got memory for a thread that it starts on
-/// its own, and its destructor would wait for that thread for ever. All output has been flushed by then.
-int ended(int code) {
-    rlimit space{};
-    if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) ::_exit(code);
-    return code;
-}
-
 }  // namespace keyblock::cli
 
 int main(int argc, char** argv) {
     using namespace keyblock::cli;
+    avoidBlasThreads();
     takeFailedWritesAsErrors();
     const ExitCode code = obeyOrTellWhy(argc, argv);
     if (const int failure = outputFailure(); failure != 0 && code == Done)
-        return ended(failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +
-                                            "; free some space"));
-    return ended(code);
+        return failed(NotWritten,
+                      "cannot write to standard output: " + std::string(std::strerror(failure)) + "; free some space");
+    return code;
 }
