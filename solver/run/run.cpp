@@ -375,11 +375,17 @@ private:
     /// Result of a stage that ended at rest in its original position, at rest elsewhere, or at the end of its time.
     void done(StageResult& result, const Stability& stability) const {
         result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration;
-        if (!isStatic()) result.unstable = stability.moving();
+        if (!isStatic()) result.unstable = stability.moving(isContinued(result));
         else if (stage().until.move) result.unstable = stability.displaced(*stage().until.move);
         if (result.unstable.empty()) return;
         if (isStatic()) result.outcome = Outcome::Displaced;
         nameUnstable(result, isStatic() ? "blocks displaced before coming to rest:" : "blocks still moving or displaced at the end:");
+    }
+
+    /// True if a dynamic stage follows, in which blocks go on with their velocities.
+    bool isContinued(const StageResult& result) const {
+        const std::optional<int> next = stageAfter(scene_, result);
+        return next && scene_.stages[*next].kind == StageKind::Dynamic;
     }
 
     void undecided(StageResult& result) const {

@@ -17,7 +17,8 @@ namespace {
 
 // fraction of a displaced block's movement: a block joined to it that moved as far is named with it
 constexpr double asFar = 0.9;
-constexpr double itsOwnWay = 0.5;  // fraction of a neighbour's movement; a block that moved less was left behind by it
+constexpr double itsOwnWay =
+    0.5;  // fraction of a neighbour's movement or velocity; a block with less was left behind by it
 // fraction of a block's size: a block that a collapse has moved this far is named even if it is at rest now
 constexpr double namedMove = 0.05;
 constexpr double slow = 0.02;  // [m/s]; a block that moves faster at the end of a dynamic stage may be unstable
@@ -194,19 +195,22 @@ std::vector<int> Stability::displacedBlocks(double share) const {
     return left;
 }
 
-/// Largest velocity relative to the blocks that it touches now; its own velocity if it touches none [m/s].
+Point Stability::velocity(int row) const {
+    const BlockMotion& block = state_.blocks[at(row)];
+    return block.velocity[0] * block.axis + block.velocity[1] * turnLeft(block.axis);
+}
+
+/// Largest velocity relative to the blocks that it touches now, except those that move away from it; its own velocity if
+/// it touches none [m/s].
 double Stability::speed(int first) const {
-    const auto velocity = [&](int row) {
-        const BlockMotion& block = state_.blocks[at(row)];
-        return Point(block.velocity[0] * block.axis + block.velocity[1] * turnLeft(block.axis));
-    };
     double fastest = 0.0;
     bool alone = true;
     for (const Contact& c : state_.contacts) {
         const bool isA = wholeOf(model_, c.blockA) == first, isB = wholeOf(model_, c.blockB) == first;
         if (isA == isB || !touches(model_, c)) continue;
         alone = false;
-        fastest = std::max(fastest, (velocity(c.blockA) - velocity(c.blockB)).norm());
+        const Point own = velocity(isA ? c.blockA : c.blockB), other = velocity(isA ? c.blockB : c.blockA);
+        if (own.norm() >= itsOwnWay * other.norm()) fastest = std::max(fastest, (own - other).norm());
     }
     return alone ? velocity(first).norm() : fastest;
 }
@@ -220,12 +224,13 @@ bool Stability::keepsItsSpeed(int first) const {
     return last >= before * (stage_.duration - start_.nine.time);
 }
 
-std::vector<UnstableBlock> Stability::moving() const {
+std::vector<UnstableBlock> Stability::moving(bool continued) const {
     std::vector<int> blocks;
     for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first) {
         if (!decides(first)) continue;
         const bool fell = state_.blocks[at(first)].fallen && !start_.blocks[at(first)].fallen;
-        if (fell || moved(first) > reach(first) || (speed(first) > slow && keepsItsSpeed(first))) blocks.push_back(first);
+        const bool goesOn = !continued && speed(first) > slow && keepsItsSpeed(first);
+        if (fell || moved(first) > reach(first) || goesOn) blocks.push_back(first);
     }
     return describeAll(blocks);
 }

@@ -53,7 +53,8 @@ public:
 
     /// Blocks that are unstable in a dynamic stage: they fell, moved by more than their own size, or are still moving
     /// without slowing down at the end of the stage.
-    std::vector<UnstableBlock> moving() const;
+    /// \param continued another dynamic stage follows: it shows whether blocks that are still moving come to rest.
+    std::vector<UnstableBlock> moving(bool continued) const;
 
     /// The block that moved most relative to its size, among the blocks that the stability verdict considers. If there
     /// is none, `block` is −1.
@@ -69,6 +70,7 @@ private:
     double moved(int first) const;
     double movedItself(int first) const;
     double movedFrom(int row, int other) const;
+    Point velocity(int row) const;
     double speed(int first) const;
     bool keepsItsSpeed(int first) const;
     UnstableBlock describe(int first) const;

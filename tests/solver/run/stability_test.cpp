@@ -189,6 +189,39 @@ TEST(Stability, AMotionIsJudgedAtItsEnd) {
     EXPECT_NEAR(fall.unstable[0].moved, 0.5 * gravity * 0.09, 1e-3);
 }
 
+/// A box with 0.5 m/s slides 44 mm until friction of 30° stops it, after 88 ms; without friction it slides on.
+TEST(Stability, AMotionThatGoesOnIsJudgedAtTheEndOfTheNextStage) {
+    for (const double friction : {30.0, 0.0}) {
+        Scene scene = test::boxOnBase(0.0, friction);
+        InitialVelocity push;
+        push.blockAt = Point(0.5, 0.5);
+        push.velocity = {0.5, 0.0};
+        scene.stages = {test::dynamic(0.01, 1e-3), test::dynamic(0.3, 1e-3)};
+        scene.stages[0].initialVelocities = {push};
+        const Results results = runInMemory(scene);
+        ASSERT_EQ(results.stages.size(), 2U);
+        EXPECT_TRUE(results.stages[0].unstable.empty()) << friction;
+        EXPECT_EQ(verdictOfRun(scene, results).stands, friction > 0.0);
+        scene.stages[1] = test::settle();  // without velocities: it cannot show where the box would have stopped
+        const Results stopped = runInMemory(scene);
+        EXPECT_EQ(stopped.stages.at(0).unstable.size(), friction > 0.0 ? 0U : 1U);
+    }
+}
+
+/// A block at rest is not named because the block that it touches slides past it.
+TEST(Stability, WhatAMovingBlockLeavesBehindIsAtRest) {
+    Scene scene = test::boxOnBase(0.0, 0.0);
+    scene.blocks.push_back(boxBlock("neighbour", {0, 1}, {0.5, 1.5}));
+    InitialVelocity push;
+    push.blockAt = Point(0.5, 0.5);
+    push.velocity = {0.5, 0.0};
+    scene.stages = {test::dynamic(0.3, 1e-3)};
+    scene.stages[0].initialVelocities = {push};
+    const StageResult stage = runInMemory(scene).stages.at(0);
+    ASSERT_EQ(stage.unstable.size(), 1U);
+    EXPECT_EQ(stage.unstable[0].block, 1);
+}
+
 /// What a motion drives goes where it is driven.
 TEST(Stability, WhatIsDrivenIsExempt) {
     Scene scene = boxOverFloor(0.0);
