@@ -22,7 +22,7 @@ help:
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
 	@echo "make mutations  resume runs from two thousand checkpoints changed at random, with the address sanitizer"
-	@echo "make flips  read a run store with two hundred single flipped bits by every command; none may show other numbers"
+	@echo "make flips  read a run store with two hundred single flipped bits, and with values that are not finite, by every command; none may show other numbers"
 	@echo "make cluster  run a sweep on a Slurm cluster of two nodes on this machine, kill a case and a node, and compare the bytes; needs root"
 	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
 	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
@@ -125,6 +125,7 @@ flips: packages
 	$(call build,release)
 	build/release/keyblock run samples/drop-d-bolt.json --overwrite --out build/release/flips.kbrun
 	/usr/bin/python3 tests/flips/flips.py build/release/keyblock build/release/flips.kbrun --flips $(or $(COUNT),200)
+	/usr/bin/python3 tests/flips/not_finite.py build/release/keyblock build/release/flips.kbrun
 
 # Slurm starts jobs as root; without root nothing is installed or built.
 cluster:

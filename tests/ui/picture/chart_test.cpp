@@ -125,9 +125,13 @@ TEST(BoltChart, ZonesAndJointsAreAtTheirPositions) {
 }
 
 TEST(BoltChart, TheMostLoadedBoltIsFound) {
-    const BricksRun bricks;
-    EXPECT_EQ(mostLoadedBolt(bricks.results.frames[0]), 0);
+    BricksRun bricks;
+    Frame& frame = bricks.results.frames[0];
+    EXPECT_EQ(mostLoadedBolt(frame), 0);
     EXPECT_EQ(mostLoadedBolt(Frame{}), -1);
+    frame.extremes.resize(1);
+    frame.extremes[0].axialForce.value = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(mostLoadedBolt(frame), 0);
 }
 
 /// Two stages with an opening, a force and a point.

@@ -365,9 +365,11 @@ BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& re
 
 namespace {
 
-/// Largest axial force of a bolt in the run up to the frame; −1 if it was never installed.
+/// Largest axial force of a bolt in the run up to the frame; −1 if it was never installed. A damaged run file may hold a
+/// peak that is not a number; it counts as none.
 double loadOf(const Frame& frame, std::size_t bolt) {
-    const double peak = bolt < frame.extremes.size() ? std::abs(frame.extremes[bolt].axialForce.value) : 0.0;
+    const double stored = bolt < frame.extremes.size() ? std::abs(frame.extremes[bolt].axialForce.value) : 0.0;
+    const double peak = std::isnan(stored) ? 0.0 : stored;
     const bool isThere = frame.bolts[bolt].nodes.size() > 1;
     if (!isThere) return peak > 0.0 ? peak : -1.0;
     return std::max(peak, largest(frame.bolts[bolt], *findQuantity(BoltQuantity::AxialForce)));
