@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The command `check`: lists all problems of a scene, the blocks into which its domain
-// is cut, and what will be modelled. Nothing is run. A study is checked with its scene.
+// is cut, what will be modelled, what could be left out next, and how long a run will
+// take. A study is checked with its scene.
 #include "app/cli/check_study.h"
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
@@ -13,6 +14,7 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/visible_text.h"
 #include "solver/study/study_file.h"
+#include "solver/trade/trade_next.h"
 
 #include <algorithm>
 #include <optional>
@@ -71,11 +73,14 @@ void tellCut(const SceneCut& cut, bool all) {
 }
 
 /// The model summary of a scene that has no errors and at least one block.
-std::optional<ModelSummary> modelSummaryOf(const SceneReading& reading) {
+std::optional<ModelSummary> modelSummaryOf(const std::filesystem::path& file, const SceneReading& reading) {
     const SceneCut* cut = reading.cut ? &*reading.cut : nullptr;
     if (!reading.scene || (cut ? cut->scene : *reading.scene).blocks.empty())
         return std::nullopt;
-    return makeModelSummary(cut ? cut->scene : *reading.scene, cut);
+    std::optional<ModelSummary> summary = makeModelSummary(cut ? cut->scene : *reading.scene, cut);
+    if (const auto trade = findStoredTrade(file, *reading.scene))
+        summary->next = withMeasured(std::move(summary->next), *reading.scene, trade->points, trade->quantities);
+    return summary;
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ std::optional<ModelSummary> modelSummaryOf(const SceneReading& reading) {
 ExitCode perform(const CheckOptions& options) {
     if (isStudyFile(options.scene)) return checkStudyFile(options);
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
-    const std::optional<ModelSummary> summary = modelSummaryOf(reading);
+    const std::optional<ModelSummary> summary = modelSummaryOf(options.scene, reading);
     if (options.json) {
         print(checkJson(reading, summary, options.overrides));
         return hasErrors(reading.problems) ? Invalid : Done;

@@ -125,8 +125,9 @@ void addRun(CLI::App& app, RunOptions& options) {
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {
-    CLI::App* verb = app.add_subcommand("check", "Check a scene: errors with fixes, the model summary, and an estimate "
-                                                 "of run time and memory; nothing is run");
+    CLI::App* verb = app.add_subcommand("check",
+                                        "Check a scene: errors with fixes, the model summary, and an estimate "
+                                        "of run time and memory; no results are written");
     verb->add_option("SCENE.json", options.scene, "The scene, or a study, which is checked with its scene")
         ->required()
         ->type_name("");

@@ -202,6 +202,14 @@ Json modelSummaryJson(const ModelSummary& summary) {
     Json leftOut = Json::array();
     for (const LeftOut& part : summary.leftOut)
         leftOut.push_back({{"what", part.what}, {"why", part.why}, {"saves", part.saves}});
+    Json next = Json::array();
+    for (const NextLeftOut& one : summary.next)
+        next.push_back({{"setting", one.axis},
+                        {"what", one.what},
+                        {"costs", one.costs},
+                        {"saves", one.saves},
+                        {"set", one.set},
+                        {"measured", one.measured}});
     return {{"blocks", counts.blocks},
             {"cells", counts.cells},
             {"plates", counts.plates},
@@ -212,6 +220,7 @@ Json modelSummaryJson(const ModelSummary& summary) {
             {"unknowns",
              {{"blocks", counts.blockUnknowns}, {"plates", counts.plateUnknowns}, {"bolts", counts.boltUnknowns}}},
             {"left_out", leftOut},
+            {"next", next},
             {"estimate", estimateJson(summary.estimate)}};
 }
 

@@ -26,7 +26,7 @@ namespace keyblock::cli {
 /// If the scene has a domain that was cut, also `cut {blocks, vertices, edges, area_m2, tolerance_m, min_area_m2,
 /// min_width_m, open_blocks, splits, reports[] {kind, x_m, y_m, message}}`. If the scene has no errors, also `census
 /// {blocks, cells, plates, fixed, contacts, bolts, nodes, unknowns {blocks, plates, bolts}, left_out[] {what, why,
-/// saves}, estimate {seconds, seconds_least, seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name,
+/// saves}, next[] {setting, what, costs, saves, set, measured}, estimate {seconds, seconds_least, seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name,
 /// steps, passes, least, most}, assumes[]}}`. `preset {name, text, settings[] {key, value, from}}`, where `from` is
 /// `preset`, `scene` or `--set`, of a scene without errors.
 std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary,

@@ -83,6 +83,12 @@ std::string modelSummaryLines(const ModelSummary& summary) {
     std::string lines = partLines(summary.counts) + "left out:\n";
     for (const LeftOut& part : summary.leftOut)
         lines += "  " + visibleText(part.what + ": " + part.why) + " (saves " + part.saves + ")\n";
+    if (!summary.next.empty()) lines += "could be left out next:\n";
+    for (const NextLeftOut& next : summary.next) {
+        lines += "  " + visibleText(textOf(next));
+        if (!next.set.empty()) lines += " (--set " + visibleText(next.set) + ")";
+        lines += '\n';
+    }
     if (!summary.estimate.stages.empty())
         lines += estimateLines(summary.estimate);
     return lines;

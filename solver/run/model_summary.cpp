@@ -56,6 +56,7 @@ std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut*
     ModelSummary summary;
     summary.counts = countParts(model, start);
     summary.leftOut = leftOutOf(scene, cut, model, summary.counts);
+    summary.next = nextLeftOut(scene, model);
     std::optional<CostEstimate> estimate = estimateCost(scene, model, start, summary.counts, stop);
     if (!estimate) return std::nullopt;
     summary.estimate = std::move(*estimate);

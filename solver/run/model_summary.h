@@ -8,6 +8,7 @@
 
 #include "solver/engine/model/model.h"
 #include "solver/engine/model/state.h"
+#include "solver/run/next_left_out.h"
 #include "solver/scene/scene_cut.h"
 
 #include <atomic>
@@ -50,7 +51,8 @@ struct StageCost {
 
 /// Estimated run time and memory.
 struct CostEstimate {
-    double seconds = 0.0, secondsLeast = 0.0, secondsMost = 0.0;
+    double seconds = 0.0;  // CPU time on one thread
+    double secondsLeast = 0.0, secondsMost = 0.0;  // half and double
     double memory = 0.0;  // peak memory [bytes]
     double passSeconds = 0.0, stepSeconds = 0.0;  // time per iteration and step [s], measured on the scene's own system
     double factorEntries = 0.0;  // stored entries of the matrix factor
@@ -61,11 +63,12 @@ struct CostEstimate {
 struct ModelSummary {
     ModelCounts counts;
     std::vector<LeftOut> leftOut;
+    std::vector<NextLeftOut> next;  // what the user could leave out, not measured
     CostEstimate estimate;
 };
 
-/// Makes the whole summary. To measure the time per iteration, the scene's own equations are solved a few times, so the
-/// estimate varies from call to call.
+/// Makes the whole summary. The time is measured at the beginning of the run, whose results are discarded, so the estimate
+/// takes up to about a second and varies from call to call.
 /// \param scene the scene as solved: the result of `cutScene`.
 /// \param cut the cut that produced `scene`, used to list what the cut left out; null if the scene was not cut.
 /// \param stop if it becomes true, the function soon returns without a summary; null: the function cannot be stopped.

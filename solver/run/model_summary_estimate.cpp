@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Estimates the cost of a run. The time of an iteration and of a step is measured for
-// the given scene. Their numbers are estimated from runs of the samples and of jointed
-// rock, and reported with the range found in those runs. Measured times affect only
-// what is reported.
+// Estimates the cost of a run. Its time follows from the beginning of the run
+// (`forecastRun`), and numbers of iterations from runs of the samples and of jointed
+// rock where that does not reach. Measured times affect only what is reported.
 #include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/search.h"
@@ -12,7 +11,9 @@
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/step_solver.h"
+#include "solver/run/run_forecast.h"
 #include "solver/run/stage_settings.h"
+#include "solver/scene/collapse_stage.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,13 +29,14 @@ constexpr int fewestRounds = 2;  // minimum number of timed rounds, after one th
 
 // Numbers of iterations found in runs. Samples: 2 to 3 per increment without releases, 5 to 10 per release, 1.0 to 1.6
 // per time step. Jointed rock of 110 to 1,000 blocks under gravity: 40 to 360 per search for equilibrium, about 1e4 in
-// a search that ends in a collapse, 4 to 14 per time step.
+// a search that ends in a collapse, 1.7 to 14 per time step.
 constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
-constexpr double passesARockSearch = 200.0, passesARockStep = 4.0;
+constexpr double passesARockSearch = 200.0, passesARockStep = 2.8;
+constexpr double bandFactor = 2.0;  // of the estimate, either way
 // automatic increments of a stage in which joints slide or bolts yield
 constexpr int slidingIncrements = 12, flowingIncrements = 50;
 constexpr double releasedShare = 0.7;  // fraction of the parts that can fail
-// from this number of free blocks, with three contacts each that may slide, a scene is jointed rock
+// from this number of free blocks, with three contacts each, a scene is jointed rock
 constexpr int jointedRock = 20;
 
 constexpr double startSeconds = 0.03;  // to start the program and its run store
@@ -120,10 +122,9 @@ private:
 /// The properties of a scene that determine the number of iterations.
 struct Nature {
     int releases = 0;  // number of parts that may fail one after another
-    bool jointed = false;  // rock with many joints that may slide
+    bool jointed = false;  // rock with many joints
     bool slides = false;  // a joint may slide
     bool flows = false;  // a bolt may debond or yield
-    bool shears = false;  // a joint may shear a bolt until plastic hinges form
 };
 
 /// True for a bond as strong as the rock is stiff, which no strain within the range of the model would break.
@@ -147,35 +148,26 @@ Nature natureOf(const Model& model, const State& start, const ModelCounts& count
         return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield;
     });
     const int free = counts.blocks - counts.cells - counts.fixed;
-    nature.jointed =
-        free >= jointedRock && std::count_if(start.contacts.begin(), start.contacts.end(), slides) >= 3 * free;
-    nature.shears = std::any_of(model.bolts.begin(), model.bolts.end(), [](const BoltModel& bolt) {
-        return bolt.hinges && !bolt.joints.empty();
-    });
+    nature.jointed = free >= jointedRock && static_cast<int>(start.contacts.size()) >= 3 * free;
     return nature;
 }
 
-StageCost staticCost(double increments, const Nature& nature, bool loaded) {
-    StageCost cost;
-    cost.steps = increments;
-    const double quiet = passesAnIncrement * increments;
-    const double releases = loaded ? passesARelease * releasedShare * nature.releases : 0.0;
-    cost.passes = quiet + releases;
-    cost.least = quiet / 2.0;
-    cost.most = nature.shears && loaded ? 50.0 * cost.passes : 4.0 * cost.passes;
-    if (!nature.jointed) return cost;
-    cost.passes += passesARockSearch;
-    cost.most += 200.0 * passesARockSearch;
-    return cost;
+PlannedStage staticPlan(double increments, const Nature& nature, bool loaded) {
+    PlannedStage plan;
+    plan.loaded = loaded;
+    plan.steps = increments;
+    plan.passes = passesAnIncrement * increments + (loaded ? passesARelease * releasedShare * nature.releases : 0.0) +
+                  (nature.jointed ? passesARockSearch : 0.0);
+    return plan;
 }
 
-StageCost dynamicCost(double steps, const Nature& nature) {
-    StageCost cost;
-    cost.steps = steps;
-    cost.passes = steps * (nature.jointed ? passesARockStep : passesATimeStep);
-    cost.least = 0.9 * steps;
-    cost.most = (nature.jointed ? 12.0 : 3.0) * cost.passes;
-    return cost;
+PlannedStage dynamicPlan(double duration, double timeStep, const Nature& nature) {
+    PlannedStage plan;
+    plan.dynamic = true;
+    plan.duration = duration;
+    plan.steps = duration / timeStep;
+    plan.passes = plan.steps * (nature.jointed ? passesARockStep : passesATimeStep);
+    return plan;
 }
 
 /// Expected number of increments of a static stage in which the load changes. Automatic increments depend on what may
@@ -186,44 +178,66 @@ int likelyIncrements(const Scene& scene, const Stage& stage, const Nature& natur
     return std::max(frames, nature.flows ? flowingIncrements : nature.slides ? slidingIncrements : 1);
 }
 
-/// Adds the stages one after another, with increments as in the run. Walls of excavated rock count as a load that
-/// changes.
-void addStages(const Scene& scene, const Model& model, State state, const Nature& nature, CostEstimate& estimate) {
+/// The stages one after another, with increments as in the run. Walls of excavated rock count as a load that changes.
+/// A stage that follows a collapse has no steps, because most scenes do not collapse.
+std::vector<PlannedStage> planOf(const Scene& scene, const Model& model, State state, const Nature& nature) {
+    std::vector<PlannedStage> plan;
     LoadMemory memory;
     StageLoads loads(model, scene, memory);
     bool walls = false;
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {
         Stage stage = scene.stages[i];
+        if (stage.followsCollapse) {
+            plan.push_back({true, true, stage.duration});
+            continue;
+        }
         loads.begin(static_cast<int>(i), state);
-        StageCost cost;
         if (stage.kind == StageKind::Static) {
             walls = walls || !stage.excavate.empty();
             if (loads.varies() || !stage.excavate.empty() || (walls && stage.relaxation))
                 stage.increments = likelyIncrements(scene, stage, nature);
             const auto increments = static_cast<double>(incrementTimes(scene, stage, loads).size());
-            cost = staticCost(increments, nature, increments > 1.0);
+            plan.push_back(staticPlan(increments, nature, increments > 1.0));
         } else {
-            cost = dynamicCost(stage.duration / dynamicSettings(scene, stage).timeStep, nature);
+            plan.push_back(dynamicPlan(stage.duration, dynamicSettings(scene, stage).timeStep, nature));
         }
         loads.end(loads.at(stage.kind == StageKind::Static ? 1.0 : stage.duration));
-        cost.name = stage.name;
+    }
+    return plan;
+}
+
+void addStages(const Scene& scene, const std::vector<PlannedStage>& plan, const RunForecast& forecast,
+               CostEstimate& estimate) {
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const ForecastStage& stage = forecast.stages[i];
+        if (scene.stages[i].followsCollapse && stage.passes == 0.0) continue;
+        StageCost cost;
+        cost.name = scene.stages[i].name;
+        cost.steps = plan[i].steps;
+        cost.passes = stage.passes;
+        cost.least = stage.over ? stage.passes : std::max(stage.known, stage.passes / bandFactor);
+        cost.most = stage.over ? stage.passes : bandFactor * stage.passes;
         estimate.stages.push_back(cost);
     }
 }
 
-void addAssumptions(const Nature& nature, CostEstimate& estimate) {
+void addAssumptions(const Nature& nature, const RunForecast& forecast, CostEstimate& estimate) {
     const auto say = [&](bool applies, std::string text) {
         if (applies) estimate.assumes.push_back(std::move(text));
     };
-    say(true, "Times per step and iteration were measured now, on this machine, with all parts of the scene active at "
-              "once.");
-    say(nature.releases > 0, "Of " + std::to_string(nature.releases) +
-                                 " bonds, joints and elements that can fail, 0.7 fail in each static stage that loads, "
-                                 "with 7 iterations each.");
-    say(nature.shears, "Bolts are assumed to be pulled; if joints shear them until hinges form, the run takes up to 50 "
-                       "times as long.");
-    say(nature.jointed, "Rock whose joints slide is assumed to come to rest in 200 iterations, but may need 200 times "
-                        "as many or none; in motion a step is assumed to need 4 iterations, but may need 50.");
+    say(forecast.whole,
+        "The scene was run to its end to measure this, on one thread of this machine; the results were "
+        "discarded.");
+    say(!forecast.whole,
+        "The first half second of the run was made to measure this, on one thread of this machine; the "
+        "results were discarded.");
+    say(forecast.fromCoarse, "The whole run was made once with fewer elements in the bolts.");
+    say(forecast.searching,
+        "The search for equilibrium had not ended; rock whose joints slide is assumed to come to rest "
+        "in 200 iterations, and a search that ends in a collapse takes up to 50 times as long.");
+    say(nature.jointed && !forecast.whole,
+        "Later stages are assumed to be like those at the start; a collapse takes "
+        "longer.");
 }
 
 }  // namespace
@@ -233,20 +247,19 @@ std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model,
     CostEstimate estimate;
     const Nature nature = natureOf(model, start, counts);
     if ((stop && *stop) || !Timing(model, start, stop).measure(estimate)) return std::nullopt;
-    addStages(scene, model, start, nature, estimate);
-    addAssumptions(nature, estimate);
-    const double each = estimate.passSeconds + estimate.stepSeconds;
+    const Scene run = withCollapseStages(scene);
+    if (run.stages.empty()) return estimate;
+    const std::vector<PlannedStage> plan = planOf(run, model, start, nature);
+    const std::optional<RunForecast> forecast = forecastRun(run, model, plan, stop);
+    if (!forecast) return std::nullopt;
+    addStages(run, plan, *forecast, estimate);
+    addAssumptions(nature, *forecast, estimate);
     double steps = 0.0;
-    for (const StageCost& stage : estimate.stages) {
-        estimate.seconds += stage.passes * each;
-        estimate.secondsLeast += stage.least * each;
-        estimate.secondsMost += stage.most * each;
-        steps += stage.steps;
-    }
-    const double others = startSeconds + frameSeconds * std::min<double>(steps, scene.output.frames.value_or(defaultFrames));
-    estimate.seconds += others;
-    estimate.secondsLeast = 0.5 * (estimate.secondsLeast + others);
-    estimate.secondsMost = 2.0 * (estimate.secondsMost + others);
+    for (const StageCost& stage : estimate.stages) steps += stage.steps;
+    estimate.seconds = forecast->seconds + startSeconds +
+                       frameSeconds * std::min<double>(steps, scene.output.frames.value_or(defaultFrames));
+    estimate.secondsLeast = std::max(forecast->known, estimate.seconds / bandFactor);
+    estimate.secondsMost = bandFactor * estimate.seconds;
     return estimate;
 }
 

@@ -6,7 +6,9 @@
 #include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/multipliers.h"
+#include "solver/run/stage_settings.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/number_text.h"
 
 #include <algorithm>
 
@@ -109,6 +111,10 @@ private:
         const bool moves = some([](const Stage& s) { return s.kind == StageKind::Dynamic; });
         const bool rests = some([](const Stage& s) { return s.kind == StageKind::Static; });
         add(rests && !moves, "motion over time", "every stage is static", "time steps; velocities are not saved");
+        add(moves && sleepTolerance(scene_) > 0.0, "motion of blocks at rest (sleep)",
+            "a block whose unbalanced force stays below " + rounded(sleepTolerance(scene_)) +
+                " of its weight ('sleep_tolerance') rests until something around it moves",
+            "its six unknowns and its contacts while it sleeps; 'info' reports the share of the blocks that were awake");
         add(moves && !rests, "searches for equilibrium", "every stage is dynamic",
             "the search between two failures");
         add(moves && scene_.analysis.damping == Damping{}, "damping", "'damping' is zero",

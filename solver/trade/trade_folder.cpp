@@ -127,6 +127,11 @@ TradeFolder::TradeFolder(fs::path folder, const Scene& scene) : folder_(std::mov
         throw CannotWrite("cannot write " + folder_.string() + ": " + shown + " is damaged; choose another folder");
 }
 
+bool TradeFolder::holdsTrade(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_regular_file(folder / pointsName, error);
+}
+
 std::optional<TradePoint> TradeFolder::known(const TradeSetting& setting) const {
     const auto found = std::find_if(points_.begin(), points_.end(), [&](const TradePoint& point) {
         return point.axis == setting.axis && point.setting == setting.text;

@@ -19,8 +19,12 @@ public:
     /// \throws CannotWrite if the folder holds anything but a trade of this scene by this program, or cannot be made.
     TradeFolder(std::filesystem::path folder, const Scene& scene);
 
+    /// Whether a folder holds a trade of any scene.
+    static bool holdsTrade(const std::filesystem::path& folder);
+
     std::optional<TradePoint> known(const TradeSetting& setting) const;
     std::size_t knownPoints() const { return points_.size(); }
+    const std::vector<TradePoint>& points() const { return points_; }
     /// Quantities of the points that are known; empty if there are none.
     const std::vector<std::string>& quantities() const { return quantities_; }
 

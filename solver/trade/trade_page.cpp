@@ -182,7 +182,7 @@ std::string tradePage(const Trade& trade, const Scene& scene) {
         rounded(reference.seconds) +
         " s). Work is in full factorizations of a thousand blocks, as in `info --json`. "
         "On the front, no other settings are both faster and more accurate. All runs but those of *threads* use one "
-        "thread.\n";
+        "thread, and their time is that of the processor.\n";
     if (trade.proposed) text += "\nThe scene names no `quantities`; these were chosen from its results.\n";
     return text + presetSection(trade) + "\n## Settings\n\n" + pointTable(trade) + orderTable(trade) + failures(trade);
 }

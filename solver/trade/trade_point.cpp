@@ -9,8 +9,8 @@
 #include "solver/trade/peak_memory.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <thread>
 
 namespace keyblock {
@@ -59,6 +59,14 @@ void addWork(const Results& results, TradePoint& point) {
         point.passes += result.health.passes;
         point.work += result.health.work;
     }
+}
+
+/// A clock for runs. With one thread it is the CPU time of this thread: other programs prolong the wall-clock time of
+/// some runs and not of others.
+double tradeSeconds(int threads) {
+    timespec now{};
+    clock_gettime(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 void proposeEvents(const Results& results, std::vector<std::string>& quantities) {
@@ -114,9 +122,9 @@ std::optional<TradePoint> measurePoint(const Scene& scene, const TradeSetting& s
     point.unknowns = countsOf(cut.scene).unknowns();
     LastFrameSink sink;
     resetPeakMemory();
-    const auto start = std::chrono::steady_clock::now();
+    const double start = tradeSeconds(setting.threads);
     run(changed, cut, setting.threads, sink);
-    point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    point.seconds = tradeSeconds(setting.threads) - start;
     point.memory = peakMemory();
     const Results& results = sink.results;
     if (results.stages.empty() || wasStopped(results)) return std::nullopt;

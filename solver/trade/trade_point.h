@@ -22,7 +22,7 @@ struct TradePoint {
     std::vector<std::string> overrides;  // path=value, as for `--set`
     std::string preset;  // with the number of settings that were changed
     std::vector<Measurement> values;  // one per quantity of interest
-    double seconds = 0.0;  // wall-clock time of the run
+    double seconds = 0.0;  // CPU time of the run; wall-clock time if it used several threads
     long steps = 0, passes = 0;  // accepted steps, iterations
     StepWork work;
     int unknowns = 0;

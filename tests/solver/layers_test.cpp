@@ -129,7 +129,7 @@ const std::vector<Room> rooms{
     {"ui/panels/problems", belowPanels({"ui/panels/fields"})},
     {"ui/panels/stages", belowPanels({"ui/panels/editors", "ui/panels/fields"})},
     {"ui/panels/library", belowPanels({"ui/panels/editors", "ui/panels/fields"})},
-    {"ui/panels/summary", belowPanels()},
+    {"ui/panels/summary", belowPanels({"solver/trade"})},
     {"ui/panels", belowPanels()},
     {"ui/runs",
      {"ui/document", "ui/look", "ui/picture", "solver/trade", "solver/files", "solver/run", "solver/results",

@@ -117,6 +117,9 @@ PHASES = {
     "other": "rest",
 }
 
+# Sections of the page that other scripts write.
+OTHERS = ("Estimated and measured time", "Everything modelled")
+
 PAGE = """<!-- SPDX-FileCopyrightText: The Keyblock contributors -->
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 # Speed
@@ -164,7 +167,10 @@ def page(arguments):
         table="\n".join(table),
         shares="\n".join(shares),
     )
-    pathlib.Path(arguments.page).write_text(text, encoding="utf-8")
+    target = pathlib.Path(arguments.page)
+    kept = [part for part in target.read_text(encoding="utf-8").split("\n## ")[1:] if part.startswith(OTHERS)] \
+        if target.exists() else []
+    target.write_text("\n## ".join([text, *kept]), encoding="utf-8")
 
 
 def main():
