@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/next_left_out.h"
 
+#include "solver/scene/bond_per_node.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/lookup.h"
 #include "solver/scene/preset.h"
 
 #include <algorithm>
@@ -13,9 +15,11 @@ namespace {
 constexpr int fewElements = 30;  // of a bolt; fewer change most results
 constexpr const char* notMeasured = "not measured; 'keyblock trade' measures it";
 
-int mostElements(const Model& model) {
+/// Of the bolts whose strength does not depend on their divisions.
+int mostElements(const Scene& scene, const Model& model) {
     std::size_t most = 0;
-    for (const BoltModel& bolt : model.bolts) most = std::max(most, bolt.elements.size());
+    for (std::size_t b = 0; b < model.bolts.size(); ++b)
+        if (!isGivenPerNode(anchorsOf(scene, scene.bolts[b]))) most = std::max(most, model.bolts[b].elements.size());
     return static_cast<int>(most);
 }
 
@@ -35,7 +39,7 @@ std::vector<NextLeftOut> nextLeftOut(const Scene& scene, const Model& model) {
     const bool moves = std::any_of(scene.stages.begin(), scene.stages.end(),
                                    [](const Stage& stage) { return stage.kind == StageKind::Dynamic; });
     const bool multipliers = numericsOf(scene.analysis).contact == ContactMethod::AugmentedLagrangian;
-    const int elements = mostElements(model);
+    const int elements = mostElements(scene, model);
     add(scene.analysis.modelEverything, "model_everything", "model_everything true → false",
         "unknowns of fixed and of sleeping blocks", "analysis.model_everything=false",
         "nothing beyond the tolerances of the analysis");

@@ -3,7 +3,9 @@
 #include "solver/trade/trade_axes.h"
 
 #include "solver/scene/automatic.h"
+#include "solver/scene/bond_per_node.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/preset.h"
 
@@ -46,17 +48,37 @@ std::string word(Choice choice) {
     return std::string(wordsOf(choice)[static_cast<std::size_t>(choice)]);
 }
 
+/// Whether a bolt may have other divisions without being another bolt.
+bool isDivided(const Scene& scene, const std::string& type, const std::optional<std::vector<Anchor>>& own) {
+    const BoltType* found = findBoltType(scene, type);
+    return !(own ? isGivenPerNode(*own) : found && isGivenPerNode(found->anchors));
+}
+
+bool isDivided(const Scene& scene, const Bolt& bolt) { return isDivided(scene, bolt.type, bolt.anchors); }
+bool isDivided(const Scene& scene, const ScenePattern& bolts) { return isDivided(scene, bolts.type, std::nullopt); }
+
+bool hasDividedBolts(const Scene& scene) {
+    const auto divided = [&](const auto& bolt) { return isDivided(scene, bolt); };
+    return std::any_of(scene.bolts.begin(), scene.bolts.end(), divided) ||
+           std::any_of(scene.boltPatterns.begin(), scene.boltPatterns.end(), divided);
+}
+
+/// Bolts whose bond is given per node keep their divisions, on which their strength depends.
 TradeAxis divisionsAxis(const Scene& scene, const TradeModel& model) {
     TradeAxis axis{"divisions", {}, 0.0, true};
     for (const int n : divisions) {
         TradeSetting setting{axis.name, std::to_string(n), {}, {}, 1.0 / n};
         for (std::size_t i = 0; i < scene.bolts.size(); ++i)
-            setting.overrides.push_back(at("bolts", i, "divisions", setting.text));
+            if (isDivided(scene, scene.bolts[i]))
+                setting.overrides.push_back(at("bolts", i, "divisions", setting.text));
         for (std::size_t i = 0; i < scene.boltPatterns.size(); ++i)
-            setting.overrides.push_back(at("bolt_patterns", i, "divisions", setting.text));
+            if (isDivided(scene, scene.boltPatterns[i]))
+                setting.overrides.push_back(at("bolt_patterns", i, "divisions", setting.text));
         setting.apply = [n](Scene& changed) {
-            for (Bolt& bolt : changed.bolts) bolt.divisions = n;
-            for (ScenePattern& pattern : changed.boltPatterns) pattern.divisions = n;
+            for (Bolt& bolt : changed.bolts)
+                if (isDivided(changed, bolt)) bolt.divisions = n;
+            for (ScenePattern& pattern : changed.boltPatterns)
+                if (isDivided(changed, pattern)) pattern.divisions = n;
         };
         const double own = model.blockUnknowns + model.boltUnknowns;
         setting.cost = own > 0.0 ? (model.blockUnknowns + 3.0 * model.bolts * (n + 1)) / own : 1.0;
@@ -252,7 +274,7 @@ bool hasOwnScheme(const Scene& scene) {
 std::vector<TradeAxis> tradeAxes(const Scene& scene, const TradeModel& model) {
     const bool moves = hasStage(scene, StageKind::Dynamic);
     std::vector<TradeAxis> axes;
-    if (!scene.bolts.empty() || !scene.boltPatterns.empty()) axes.push_back(divisionsAxis(scene, model));
+    if (hasDividedBolts(scene)) axes.push_back(divisionsAxis(scene, model));
     if (moves) axes.push_back(timeStepAxis(scene));
     if (hasStage(scene, StageKind::Static)) axes.push_back(incrementsAxis(scene));
     if (std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& block) { return block.subBlocks; }))

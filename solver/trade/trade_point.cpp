@@ -97,8 +97,11 @@ int mostLoadedBolt(const Results& results) {
 
 std::vector<std::string> proposedQuantities(const Scene& scene, const Results& results) {
     std::vector<std::string> quantities{"stands", "energy_error"};
-    for (std::size_t i = 0; i < std::min(mostMonitors, scene.monitors.size()); ++i)
-        quantities.push_back("last " + scene.monitors[i].name + (scene.monitors[i].point ? ".u" : ""));
+    for (std::size_t i = 0; i < std::min(mostMonitors, scene.monitors.size()); ++i) {
+        const Monitor& monitor = scene.monitors[i];
+        // after a rupture the last force of a bolt is round-off
+        quantities.push_back((monitor.bolt ? "max " : "last ") + monitor.name + (monitor.point ? ".u" : ""));
+    }
     if (const int bolt = mostLoadedBolt(results); bolt >= 0) {
         quantities.push_back("max " + scene.bolts[bolt].name + ".axial_force");
         quantities.push_back("max " + scene.bolts[bolt].name + ".debonded_length");

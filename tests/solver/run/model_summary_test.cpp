@@ -190,7 +190,8 @@ TEST(ModelSummary, NamesWhatCouldBeLeftOutNext) {
                            [&](const NextLeftOut& next) { return next.axis == axis && !next.measured; });
     };
     ModelSummary summary = modelSummaryOf(scene);
-    EXPECT_TRUE(has(summary, "divisions"));
+    EXPECT_FALSE(has(summary, "divisions"));  // the bond is given per node
+    EXPECT_TRUE(has(modelSummaryOf(sample("dbolt-table-steel")), "divisions"));
     EXPECT_TRUE(has(summary, "preset"));
     EXPECT_FALSE(has(summary, "time_step"));
     EXPECT_FALSE(has(summary, "model_everything"));

@@ -54,6 +54,19 @@ TEST(TradeAxes, ChangeTheSceneAsTheirTextsSay) {
     EXPECT_EQ(changed, scene);
 }
 
+/// The strength of a bond per node depends on the divisions, so that other divisions are another bolt.
+TEST(TradeAxes, KeepTheDivisionsOfBondsGivenPerNode) {
+    Scene scene = inclineScene(30.0, 20.0, 0.1);
+    scene.bolts.resize(2);
+    scene.bolts[0].anchors.emplace(1);
+    scene.bolts[0].anchors->front().per = Per::Node;
+    const std::vector<TradeAxis> axes = tradeAxes(scene, {12, 2, 60, 1});
+    EXPECT_EQ(axisNamed(axes, "divisions").settings.front().overrides,
+              (std::vector<std::string>{"bolts[1].divisions=15"}));
+    scene.bolts.pop_back();
+    EXPECT_EQ(namesOf(tradeAxes(scene, {12, 1, 30, 1})).front(), "time_step");
+}
+
 TEST(TradeAxes, LeaveOutTheOwnValue) {
     const std::vector<TradeAxis> axes = tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 1});
     for (const TradeSetting& setting : axisNamed(axes, "integration").settings) EXPECT_NE(setting.text, "shi");
