@@ -7,6 +7,7 @@
 #include "solver/files/scene/bolt_library.h"
 #include "solver/files/json/field_json.h"
 #include "solver/files/json/json_text.h"
+#include "solver/files/json/object_writer.h"
 #include "solver/files/scene/record_file.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/files/sha256.h"
@@ -19,42 +20,6 @@
 namespace keyblock {
 
 namespace {
-
-JsonNode objectNode(const Structure& structure, const void* object, const void* reference);
-
-JsonNode childrenNode(const Field& field, const void* object, const void* reference) {
-    const Children& children = field.children;
-    const Structure& structure = children.structure();
-    if (children.isNull(object))
-        return {};
-    if (field.kind == FieldKind::Object)
-        return objectNode(structure, children.item(object, 0),
-                          children.isNull(reference) ? structure.defaults : children.item(reference, 0));
-    JsonList list;
-    JsonObject map;
-    for (std::size_t i = 0; i < children.count(object); ++i) {
-        JsonNode node = objectNode(structure, children.item(object, i), structure.defaults);
-        if (field.kind == FieldKind::List)
-            list.push_back(std::move(node));
-        else
-            map.push_back({std::string(children.name(object, i)), std::move(node)});
-    }
-    return field.kind == FieldKind::List ? JsonNode{std::move(list)} : JsonNode{std::move(map)};
-}
-
-JsonNode fieldNode(const Field& field, const void* object, const void* reference) {
-    if (hasChildren(field))
-        return childrenNode(field, object, reference);
-    return jsonFromValue(field, field.get ? field.get(object) : field.accepted.front());
-}
-
-JsonNode objectNode(const Structure& structure, const void* object, const void* reference) {
-    JsonObject members;
-    for (const Field& field : structure.fields)
-        if (field.required || !sameValue(field, object, reference))
-            members.push_back({std::string(field.key), fieldNode(field, object, reference)});
-    return {std::move(members)};
-}
 
 // The type on which `type` is based, among those of the scene and the built-in ones; if there is none, a type with
 // default values.
