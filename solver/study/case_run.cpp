@@ -70,6 +70,26 @@ std::vector<std::string> ownQuantities(const std::string& sceneText) {
     return quantities;
 }
 
+/// Cells of the parameters of a case. \throws CannotRead
+std::vector<std::string> rowOfCase(const SweepRun& run, long number) {
+    return readCaseRow(run.sweep.folder / sweepCasesName, number, run.sweep.study.parameters.size());
+}
+
+CaseScene sceneOfRow(const SweepRun& run, long number, const std::vector<std::string>& row) {
+    const Study& study = run.sweep.study;
+    std::vector<std::string> overrides = overridesOf(study, row);
+    overrides.push_back(quantitiesOverride(run.recorded));
+    CaseScene scene;
+    scene.read = readSceneText(run.sweep.sceneText, sweepSceneName, overrides, std::nullopt);
+    if (!scene.read.scene || study.faults.empty()) return scene;
+    scene.faults = faultsOf(study, number, scene.read);
+    scene.faultMeasures = faultMeasures(study, scene.faults, scene.read);
+    if (scene.faults.empty()) return scene;
+    const std::string text = wholeSceneText(withFaults(scene.read, scene.faults));
+    scene.read = readSceneText(text, "the scene with its faults", {}, std::nullopt);
+    return scene;
+}
+
 /// One case while it is run.
 class RunningCase {
 public:
@@ -110,24 +130,16 @@ private:
 
     /// \return false if the case has no valid scene, which is its result.
     bool readScene() {
-        std::vector<std::string> overrides = overridesOf(study_, row_);
-        overrides.push_back(quantitiesOverride(run_.recorded));
-        read_ = readSceneText(run_.sweep.sceneText, sweepSceneName, overrides, std::nullopt);
-        if (read_.scene && !study_.faults.empty()) addFaults();
+        CaseScene scene = sceneOfRow(run_, number_, row_);
+        read_ = std::move(scene.read);
+        result_.faults = std::move(scene.faults);
+        result_.faultMeasures = std::move(scene.faultMeasures);
         if (read_.scene && !read_.scene->stages.empty()) return true;
         result_.outcome = CaseOutcome::Invalid;
         for (const Problem& problem : read_.problems)
             if (problem.severity == Severity::Error && result_.reason.empty()) result_.reason = oneLine(problem);
         if (result_.reason.empty()) result_.reason = "the scene has no stages";
         return false;
-    }
-
-    void addFaults() {
-        result_.faults = faultsOf(study_, number_, read_);
-        result_.faultMeasures = faultMeasures(study_, result_.faults, read_);
-        if (result_.faults.empty()) return;
-        const std::string text = wholeSceneText(withFaults(read_, result_.faults));
-        read_ = readSceneText(text, "the scene with its faults", {}, std::nullopt);
     }
 
     /// A store of another scene or build, or a damaged one, is of no use: the case starts again.
@@ -273,6 +285,8 @@ SweepRun sweepRunOf(const Sweep& sweep, int threads) {
     return run;
 }
 
+CaseScene caseScene(const SweepRun& run, long number) { return sceneOfRow(run, number, rowOfCase(run, number)); }
+
 CaseEnd runCase(const SweepRun& run, long number, Control& control, SweepCaseResult& result) {
     const fs::path folder = caseFolder(run.sweep.folder, number);
     makeFolder(folder);
@@ -283,9 +297,7 @@ CaseEnd runCase(const SweepRun& run, long number, Control& control, SweepCaseRes
     result.number = number;
     const double cpu = cpuSecondsSoFar();
     const auto begun = std::chrono::steady_clock::now();
-    RunningCase running(run, number,
-                        readCaseRow(run.sweep.folder / sweepCasesName, number, run.sweep.study.parameters.size()),
-                        control, result);
+    RunningCase running(run, number, rowOfCase(run, number), control, result);
     if (!performed(running, result)) return CaseEnd::Interrupted;
     running.decide();
     if (result.values.empty())

@@ -23,6 +23,16 @@ struct SweepRun {
 
 SweepRun sweepRunOf(const Sweep& sweep, int threads);
 
+/// The scene of a case, as it is run.
+struct CaseScene {
+    SceneReading read;  // without a scene if the values of the case are not valid
+    std::vector<BoltFault> faults;
+    std::vector<double> faultMeasures;  // one for each fault of the study; empty if the scene is not valid
+};
+
+/// The scene of a case, counted from 1. \throws CannotRead if the table of cases cannot be read or lacks the case
+CaseScene caseScene(const SweepRun& run, long number);
+
 /// Runs a case, counted from 1, unless `control.stop` is set meanwhile. A case that cannot be run, or fails
 /// numerically, is done too: its summary gives the reason.
 /// \param result receives the result of a case that is done.

@@ -69,6 +69,7 @@ struct PlainStudy {
     JsonNode root;
     std::vector<Problem> problems;
     bool isRead = false;  // the text is JSON
+    bool isWhole = false;  // no value was left out
 };
 
 PlainStudy plainStudy(std::string_view text) {
@@ -80,6 +81,7 @@ PlainStudy plainStudy(std::string_view text) {
     plain.root = std::move(*json.root);
     makeTextsOfValues(plain.root);
     readObject(plain.root, studyStructure(), &plain.study, "", plain.problems);
+    plain.isWhole = !hasErrors(plain.problems);
     for (StudyParameter& parameter : plain.study.parameters)
         if (parameter.name.empty()) parameter.name = parameter.path;
     CheckReport report;
@@ -96,10 +98,10 @@ bool namesRecords(const Scene& scene) {
 }
 
 void readSceneOf(const fs::path& study, StudyReading& reading, std::vector<Problem>& sceneProblems,
-                 const PlainStudy& plain) {
+                 const PlainStudy& plain, const std::string* scene) {
     const fs::path path = study.parent_path() / plain.study.scene;
     try {
-        reading.sceneText = readTextFile(path, sceneLimits);
+        reading.sceneText = scene ? *scene : readTextFile(path, sceneLimits);
     } catch (const CannotRead& error) {
         addProblem(reading.problems, {Severity::Error, "", lineAt(plain.root, "/scene"), "/scene", error.what(),
                                       "The path is relative to the study file"});
@@ -129,23 +131,30 @@ bool isStudyFile(const fs::path& path) {
 }
 
 StudyReading readStudyFile(const fs::path& path) {
-    StudyReading reading;
     try {
-        reading.text = readTextFile(path, studyLimits);
+        return readStudyText(readTextFile(path, studyLimits), path);
     } catch (const CannotRead& error) {
+        StudyReading reading;
         reading.problems.push_back({Severity::Error, path.string(), 0, "", error.what(), "Give a study file"});
         return reading;
     }
+}
+
+StudyReading readStudyText(std::string text, const fs::path& path, const std::string* scene) {
+    StudyReading reading;
+    reading.text = std::move(text);
     PlainStudy plain = plainStudy(reading.text);
     reading.problems = std::move(plain.problems);
+    reading.isWhole = plain.isWhole;
     std::vector<Problem> sceneProblems;
-    if (plain.isRead && !plain.study.scene.empty()) readSceneOf(path, reading, sceneProblems, plain);
+    if (plain.isRead && !plain.study.scene.empty()) readSceneOf(path, reading, sceneProblems, plain, scene);
     if (reading.scene && reading.scene->scene)
         addNew(reading.problems, checkStudy(plain.study, *reading.scene, reading.sceneText), plain.root);
     nameOrigins(reading.problems, path.string(), {});
     std::stable_sort(reading.problems.begin(), reading.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     for (Problem& problem : sceneProblems) addProblem(reading.problems, std::move(problem));
+    if (plain.isRead) reading.partly = plain.study;
     if (!hasErrors(reading.problems)) reading.study = std::move(plain.study);
     return reading;
 }

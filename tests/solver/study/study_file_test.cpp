@@ -131,5 +131,58 @@ TEST(StudyFile, ASceneThatIsMissingOrBrokenIsNamed) {
     EXPECT_TRUE(reading.problems.back().file.ends_with("scene.json"));
 }
 
+TEST(StudyFile, WrittenStudyIsReadBackAndKeepsItsCases) {
+    const std::filesystem::path path = samplesFolder / "studies/bolted-incline.json";
+    const StudyReading before = readStudyFile(path);
+    const StudyReading after = readStudyText(studyText(*before.study), path);
+    ASSERT_TRUE(after.study);
+    EXPECT_EQ(*after.study, *before.study);
+}
+
+TEST(StudyFile, WrittenValuesOfListsKeepTheirTypes) {
+    Study study;
+    study.scene = "scene.json";
+    study.plan.kind = PlanKind::FullFactorial;
+    study.parameters.push_back({"", "bolts.B.plate", {}, {"\"none\"", "\"spring\""}, {}, {}});
+    study.parameters.push_back({"", "analysis.model_everything", {}, {"true", "false"}, {}, {}});
+    study.parameters.push_back({"", "bolts[0].divisions", {}, {"10", "20"}, {}, {}});
+    const std::string text = studyText(study);
+    EXPECT_NE(text.find("[\"none\", \"spring\"]"), std::string::npos) << text;
+    EXPECT_NE(text.find("[true, false]"), std::string::npos) << text;
+    EXPECT_NE(text.find("[10, 20]"), std::string::npos) << text;
+    const std::string scene = test::contentOf(samplesFolder / "bolted-incline.json");
+    const StudyReading reading = readStudyText(text, "study.json", &scene);
+    for (const Problem& problem : reading.problems) ADD_FAILURE() << oneLine(problem);
+    ASSERT_TRUE(reading.study);
+    EXPECT_EQ(reading.study->parameters[1].values, study.parameters[1].values);
+}
+
+TEST(StudyFile, NumbersThatDoNotApplyAreNotWritten) {
+    Study study;
+    study.scene = "scene.json";
+    study.plan = {PlanKind::FullFactorial, 100, 7, {}};  // a full factorial plan has no number of cases
+    StudyDistribution uniform;
+    uniform.mean = 3.0;
+    uniform.least = 1.0;
+    uniform.most = 2.0;
+    study.parameters.push_back({"a", "joint_materials.joint.friction_angle", {}, {}, {}, uniform});
+    const std::string text = studyText(study);
+    EXPECT_EQ(text.find("\"mean\""), std::string::npos) << text;
+    EXPECT_EQ(text.find("\"cases\""), std::string::npos) << text;
+    EXPECT_NE(text.find("\"seed\": 7"), std::string::npos) << text;
+}
+
+TEST(StudyFile, StudyWithErrorsIsReadAsFarAsPossible) {
+    const StudyReading wrong = studyWith(withParameter(R"({ "path": "no.such.field", "values": [1] })"));
+    EXPECT_FALSE(wrong.study);
+    ASSERT_TRUE(wrong.partly);
+    EXPECT_TRUE(wrong.isWhole);
+    EXPECT_EQ(wrong.partly->parameters.front().path, "no.such.field");
+    const StudyReading unknown = studyWith(withParameter(R"({ "path": "gravity", "walues": [1] })"));
+    ASSERT_TRUE(unknown.partly);
+    EXPECT_FALSE(unknown.isWhole) << "a key that is not known would be lost in saving";
+    EXPECT_FALSE(readStudyText("no JSON", "study.json").partly);
+}
+
 }  // namespace
 }  // namespace keyblock
