@@ -3,7 +3,7 @@
 #include "solver/study/sweep_status.h"
 
 #include "solver/files/read_error.h"
-#include "solver/study/case_result.h"
+#include "solver/study/case_brief.h"
 #include "solver/study/folder_lock.h"
 
 #include <algorithm>
@@ -20,6 +20,14 @@ long numberOfFolder(const fs::path& folder) {
     long number = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
     return error == std::errc() && end == name.data() + name.size() ? number : 0;
+}
+
+/// What is known of a finished case; none if it has not finished. \throws CannotRead if its summary is damaged
+std::optional<CaseBrief> briefOf(const Sweep& sweep, long number, std::size_t quantities) {
+    const fs::path path = summaryPath(sweep.folder, number);
+    if (auto brief = readCaseBrief(path, sweep.plan.hash)) return brief;
+    const std::optional<SweepCaseResult> whole = readCaseResult(path, sweep.plan.hash, quantities);
+    return whole ? std::optional(CaseBrief{whole->outcome, whole->fails, whole->cpuSeconds}) : std::nullopt;
 }
 
 }  // namespace
@@ -40,23 +48,23 @@ SweepStatus statusOf(const Sweep& sweep, std::size_t quantities) {
     status.cases = sweep.plan.cases;
     status.hasCriterion = !sweep.study.fails.empty();
     for (const long number : begunCases(sweep.folder)) {
-        std::optional<SweepCaseResult> result;
+        std::optional<CaseBrief> brief;
         try {
-            result = readCaseResult(summaryPath(sweep.folder, number), sweep.plan.hash, quantities);
+            brief = briefOf(sweep, number, quantities);
         } catch (const CannotRead& error) {
             status.damaged.emplace_back(error.what());
             continue;
         }
-        if (!result) {
+        if (!brief) {
             ++(FolderLock(caseFolder(sweep.folder, number)).isHeld() ? status.interrupted : status.running);
             continue;
         }
         ++status.finished;
-        ++status.outcomes[static_cast<std::size_t>(result->outcome)];
-        status.cpuSeconds += result->cpuSeconds;
+        ++status.outcomes[static_cast<std::size_t>(brief->outcome)];
+        status.cpuSeconds += brief->cpuSeconds;
         if (!status.hasCriterion) continue;
-        if (!result->fails) ++status.undecided;
-        else if (*result->fails) ++status.fails;
+        if (!brief->fails) ++status.undecided;
+        else if (*brief->fails) ++status.fails;
     }
     return status;
 }
