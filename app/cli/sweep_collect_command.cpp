@@ -7,7 +7,6 @@
 #include "app/cli/output.h"
 #include "app/cli/sweep_figures.h"
 #include "app/cli/text_table.h"
-#include "solver/files/atomic_file.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/visible_text.h"
 #include "solver/study/case_run.h"
@@ -18,19 +17,6 @@
 namespace keyblock::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-void writeTables(const SweepResults& results, const Sweep& sweep) {
-    const fs::path& folder = sweep.folder;
-    writeAtomically(folder / "results.csv", [&](std::ostream& out) { writeResultsTable(results, sweep.study, out); });
-    writeAtomically(folder / "timing.csv", [&](std::ostream& out) { writeTimingTable(results, out); });
-    writeAtomically(folder / "statistics.csv", [&](std::ostream& out) { writeStatisticsTable(results, out); });
-    writeAtomically(folder / "correlations.csv", [&](std::ostream& out) { writeCorrelationsTable(results, out); });
-    if (!results.criterion.empty())
-        writeAtomically(folder / "convergence.csv", [&](std::ostream& out) { writeConvergenceTable(results, out); });
-    writeAtomically(folder / "sweep.json", [&](std::ostream& out) { out << sweepSummaryText(results); });
-}
 
 std::string failureText(const SweepResults& results) {
     if (results.criterion.empty()) return "";
@@ -80,9 +66,9 @@ std::string outcomesText(const SweepResults& results) {
 ExitCode perform(const SweepCollectOptions& options) {
     const Sweep sweep = openSweep(options.sweep);
     const SweepResults results = collectResults(sweep, sweepRunOf(sweep, 1).quantities);
-    const std::vector<ScatterPair> pairs = scatterPairs(options.scatter, results);
-    writeTables(results, sweep);
-    const long figures = writeSweepFigures(results, sweep, pairs);
+    const std::vector<ColumnPair> pairs = scatterPairs(options.scatter, results);
+    writeSweepTables(results, sweep);
+    const long figures = drawSweepFigures(results, sweep, pairs);
     print(outcomesText(results) + failureText(results) + statisticsText(results) +
           "\nresults.csv, statistics.csv, "
           "correlations.csv" +

@@ -112,7 +112,7 @@ std::string columnTitle(const std::string& quantity, const Scene& scene) {
     return quantity + (monitor.bolt ? ofBolt(monitor.quantity) : "_m");
 }
 
-SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& quantities) {
+SweepResults plannedResults(const Sweep& sweep, const std::vector<std::string>& quantities) {
     SweepResults results;
     for (const StudyParameter& parameter : sweep.study.parameters) results.parameters.push_back(parameter.name);
     results.cells = readCells(sweep);
@@ -123,14 +123,30 @@ SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& 
                                              : quantity);
     results.criterion = sweep.study.fails;
     results.hasSafety = sweep.study.safety;
-    for (long number = 1; number <= sweep.plan.cases; ++number) {
-        results.cases.push_back(readCaseResult(summaryPath(sweep.folder, number), sweep.plan.hash, quantities.size()));
-        if (results.cases.back() && results.cases.back()->number != number)
-            throw CannotRead("cannot read " + summaryPath(sweep.folder, number).string() +
-                             ": it is of another case; delete it and run the case again");
-    }
+    results.cases.resize(static_cast<std::size_t>(sweep.plan.cases));
+    makeColumns(results, sweep.study);
+    return results;
+}
+
+bool readCaseInto(SweepResults& results, const Sweep& sweep, long number) {
+    const fs::path path = summaryPath(sweep.folder, number);
+    std::optional<SweepCaseResult> one = readCaseResult(path, sweep.plan.hash, results.quantities.size());
+    if (one && one->number != number)
+        throw CannotRead("cannot read " + path.string() + ": it is of another case; delete it and run the case again");
+    results.cases[static_cast<std::size_t>(number - 1)] = std::move(one);
+    return results.cases[static_cast<std::size_t>(number - 1)].has_value();
+}
+
+void makeColumns(SweepResults& results, const Study& study) {
+    results.columns.clear();
     addParameterColumns(results);
-    addResultColumns(results, sweep.study);
+    addResultColumns(results, study);
+}
+
+SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& quantities) {
+    SweepResults results = plannedResults(sweep, quantities);
+    for (long number = 1; number <= sweep.plan.cases; ++number) readCaseInto(results, sweep, number);
+    makeColumns(results, sweep.study);
     return results;
 }
 

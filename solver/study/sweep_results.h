@@ -24,6 +24,11 @@ struct SweepColumn {
     std::vector<double> values;
 };
 
+/// Two columns of the results, one against the other.
+struct ColumnPair {
+    const SweepColumn *x = nullptr, *y = nullptr;
+};
+
 struct SweepResults {
     std::vector<std::string> parameters;  // names
     std::vector<std::vector<std::string>> cells;  // of the parameters, by case
@@ -56,6 +61,16 @@ std::string columnTitle(const std::string& quantity, const Scene& scene);
 /// Reads the results of all cases. \throws CannotRead if a file is damaged, or cases.csv is not the planned one
 SweepResults collectResults(const Sweep& sweep, const std::vector<std::string>& quantities);
 
+/// The same without the results of cases: none has finished.
+SweepResults plannedResults(const Sweep& sweep, const std::vector<std::string>& quantities);
+
+/// Reads the result of a case, counted from 1, if it has finished; `makeColumns` makes the columns again afterwards.
+/// \return whether it has. \throws CannotRead if its file is damaged
+bool readCaseInto(SweepResults& results, const Sweep& sweep, long number);
+
+/// Makes all columns from the cells and the cases.
+void makeColumns(SweepResults& results, const Study& study);
+
 FailureShare failureShare(const SweepResults& results);
 
 /// The probability of failure after more and more cases, at no more than a thousand points.
@@ -75,6 +90,9 @@ void writeTimingTable(const SweepResults& results, std::ostream& out);
 void writeStatisticsTable(const SweepResults& results, std::ostream& out);
 void writeCorrelationsTable(const SweepResults& results, std::ostream& out);
 void writeConvergenceTable(const SweepResults& results, std::ostream& out);
+
+/// Writes all tables and sweep.json into the folder of the sweep. \throws CannotWrite
+void writeSweepTables(const SweepResults& results, const Sweep& sweep);
 
 /// sweep.json: the numbers of cases, the probability of failure and the statistics of each column.
 std::string sweepSummaryText(const SweepResults& results);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/atomic_file.h"
 #include "solver/results/csv.h"
 #include "solver/study/sweep_results.h"
 
@@ -160,6 +161,17 @@ std::string sweepSummaryText(const SweepResults& results) {
     }
     json["columns"] = columns;
     return json.dump(1) + "\n";
+}
+
+void writeSweepTables(const SweepResults& results, const Sweep& sweep) {
+    const auto put = [&](const char* name, const auto& write) { writeAtomically(sweep.folder / name, write); };
+    put("results.csv", [&](std::ostream& out) { writeResultsTable(results, sweep.study, out); });
+    put("timing.csv", [&](std::ostream& out) { writeTimingTable(results, out); });
+    put("statistics.csv", [&](std::ostream& out) { writeStatisticsTable(results, out); });
+    put("correlations.csv", [&](std::ostream& out) { writeCorrelationsTable(results, out); });
+    if (!results.criterion.empty())
+        put("convergence.csv", [&](std::ostream& out) { writeConvergenceTable(results, out); });
+    put("sweep.json", [&](std::ostream& out) { out << sweepSummaryText(results); });
 }
 
 }  // namespace keyblock

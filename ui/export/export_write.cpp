@@ -27,8 +27,6 @@ void requireFree(const std::vector<std::filesystem::path>& files) {
 
 }  // namespace
 
-bool hasCharts(FigureKind kind) { return kind == FigureKind::Bolt || kind == FigureKind::Curves; }
-
 std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out) {
     std::vector<std::filesystem::path> files{out};

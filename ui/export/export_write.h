@@ -18,9 +18,6 @@ namespace keyblock {
 /// Thrown if the user stops the export.
 struct ExportStopped : std::exception {};
 
-/// True if the figure contains charts, which only the window's thread can draw.
-bool hasCharts(FigureKind kind);
-
 /// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the paths of the files. If the
 /// figure is a new file, its data replace no other file; if it replaces an earlier one, its data replace those of it.
 /// \throws CannotDraw, CannotWrite, for a run store or a scene too; nothing is written then.

@@ -23,6 +23,9 @@
 namespace keyblock {
 
 enum class FigureKind { Section, Bolt, Curves, Events };
+
+/// True if the figure contains charts, which only the window's thread can draw.
+constexpr bool hasCharts(FigureKind kind) { return kind == FigureKind::Bolt || kind == FigureKind::Curves; }
 enum class PaperFormat { Svg, Pdf, Png };
 
 /// Word used instead of the name of a quantity to request a section with uncoloured blocks and bolts.

@@ -20,6 +20,7 @@ struct HistogramChart {
 struct ScatterDot {
     double x = 0.0, y = 0.0;
     bool isMarked = false;  // a case that fails
+    long number = 0;  // of the case
 };
 
 struct ScatterChart {

@@ -7,6 +7,8 @@
 #include "ui/figure/sheet.h"
 #include "ui/figure/trade_plot.h"
 
+#include <qcustomplot.h>
+
 #include <cmath>
 #include <limits>
 

@@ -37,6 +37,9 @@ struct ReportRequest {
     std::vector<std::string> commands;  // that make the run and the report again
     /// Called before each section with its heading and the share done; may throw to stop.
     std::function<void(const std::string& heading, double done)> progress{};
+    /// Paints a chart by calling its argument, for example in the thread of the window, and passes on its exceptions;
+    /// empty: it is painted at once.
+    std::function<void(const std::function<void()>& paint)> draw{};
 };
 
 /// The report of a run, finished or not. The same run and request give the same document.

@@ -48,7 +48,11 @@ void addFigure(const Facts& facts, FigureRequest request, const std::string& cap
     request.width = figureWidth;
     request.runName = facts.request.runName;
     try {
-        addSvg(paintFigure(facts.run, request).bytes, caption, section);
+        std::string bytes;
+        const auto paint = [&] { bytes = paintFigure(facts.run, request).bytes; };
+        if (facts.request.draw && hasCharts(request.kind)) facts.request.draw(paint);
+        else paint();
+        addSvg(bytes, caption, section);
     } catch (const CannotDraw& problem) {
         addText(section, caption + ": not drawn, because " + problem.what() + ".");
     }

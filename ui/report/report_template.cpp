@@ -98,6 +98,20 @@ ReportTemplate defaultTemplate(ReportKind kind) {
 
 TemplateReading readTemplate(std::string_view text) { return TemplateReader().read(text); }
 
+std::string templateText(const ReportTemplate& layout) {
+    std::string text;
+    if (!layout.title.empty()) text += "title " + layout.title + "\n";
+    if (!layout.logo.empty()) text += "logo " + layout.logo + "\n";
+    for (const TemplateSection& section : layout.sections) {
+        text += (text.empty() ? "[" : "\n[") + std::string(rowOf(section.content).word);
+        if (!section.heading.empty()) text += ": " + section.heading;
+        text += "]\n";
+        for (const std::string& paragraph : section.paragraphs)
+            text += (&paragraph == section.paragraphs.data() ? "" : "\n") + paragraph + "\n";
+    }
+    return text;
+}
+
 std::string mediaTypeOf(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return "image/png";
     if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";

@@ -97,6 +97,9 @@ struct TemplateReading {
 /// with `#` are comments.
 TemplateReading readTemplate(std::string_view text);
 
+/// The template as text; `readTemplate` gives the same template again.
+std::string templateText(const ReportTemplate& layout);
+
 /// Media type of a picture, from the first bytes of its file; empty if it is not PNG, JPEG or SVG.
 std::string mediaTypeOf(std::string_view bytes);
 

@@ -60,5 +60,17 @@ TEST(ReportTemplate, RecognisesPictures) {
     EXPECT_EQ(mediaTypeOf(""), "");
 }
 
+TEST(ReportTemplate, WrittenTemplateIsReadBack) {
+    const ReportTemplate layout{"Drift 3",
+                                "logo.png",
+                                {{ReportContent::Bolts, "Support by bolts", {"First paragraph.", "Second."}},
+                                 {ReportContent::Text, "Scope", {"A drift."}},
+                                 {ReportContent::Summary, "", {}}}};
+    const TemplateReading reading = readTemplate(templateText(layout));
+    ASSERT_TRUE(reading.layout) << reading.problem;
+    EXPECT_EQ(*reading.layout, layout);
+    EXPECT_EQ(*readTemplate(templateText(defaultTemplate())).layout, defaultTemplate());
+}
+
 }  // namespace
 }  // namespace keyblock
