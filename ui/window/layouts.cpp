@@ -28,7 +28,12 @@ constexpr int bottomHeight = 240, leastBottom = 172, others = 640;  // [px]
 // Tab groups of docks, placed side by side below the timeline. The first dock of each group is in front.
 using Groups = std::vector<std::vector<const char*>>;
 
+constexpr std::array arrangements{Arrangement::Drawing, Arrangement::Results, Arrangement::Studies};
+
+/// A study has its own page in place of the canvas, and no docks below it.
 const Groups& groupsOf(Arrangement arrangement) {
+    static const Groups none;
+    if (arrangement == Arrangement::Studies) return none;
     static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
     static const Groups results{{"stripDock"},
                                 {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock"},
@@ -49,16 +54,16 @@ QList<QDockWidget*> docksOf(QMainWindow& window, const std::vector<const char*>&
     return docks;
 }
 
-/// All tab groups of both arrangements, without empty ones.
+/// All tab groups of all arrangements, without empty ones.
 QList<QList<QDockWidget*>> allGroups(QMainWindow& window) {
     QList<QList<QDockWidget*>> groups;
-    for (const Arrangement arrangement : {Arrangement::Drawing, Arrangement::Results})
+    for (const Arrangement arrangement : arrangements)
         for (const auto& group : groupsOf(arrangement)) groups << docksOf(window, group);
     groups.removeAll({});
     return groups;
 }
 
-/// Puts the docks of both arrangements side by side below the timeline; the caller decides which are visible.
+/// Puts the docks of all arrangements side by side below the timeline; the caller decides which are visible.
 void placeAll(QMainWindow& window) {
     QDockWidget* last = dock(window, "timeDock");
     if (!last) return;
@@ -95,9 +100,10 @@ void placeSides(QMainWindow& window) {
     });
 }
 
-/// Shows the docks of an arrangement and hides those of the other.
+/// Shows the docks of an arrangement and hides those of the others.
 void showOnly(QMainWindow& window, Arrangement shown) {
-    for (const Arrangement arrangement : {Arrangement::Drawing, Arrangement::Results})
+    if (QDockWidget* time = dock(window, "timeDock")) time->setVisible(shown != Arrangement::Studies);
+    for (const Arrangement arrangement : arrangements)
         for (const auto& group : groupsOf(arrangement))
             for (QDockWidget* member : docksOf(window, group)) {
                 member->setFloating(false);
@@ -123,7 +129,8 @@ void size(QMainWindow& window, Arrangement arrangement) {
 }
 
 QString keyOf(Arrangement arrangement) {
-    return arrangement == Arrangement::Drawing ? QStringLiteral("drawing") : QStringLiteral("results");
+    static constexpr std::array keys{"drawing", "results", "studies"};
+    return QString::fromLatin1(keys.at(static_cast<std::size_t>(arrangement)));
 }
 
 QString pathOf(const QString& name, Arrangement arrangement) {
@@ -142,7 +149,7 @@ Layouts::Layouts(QMainWindow& window, Commands& commands) : QObject(&window), wi
 
 void Layouts::begin() {
     const QSettings settings;
-    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+    for (const Arrangement each : arrangements)
         states_[static_cast<std::size_t>(each)] = settings.value(QString(folder) + '/' + keyOf(each)).toByteArray();
     setCurrent(settings.value(QString(folder) + "/current").toString());
     placeAll(window_);
@@ -167,13 +174,14 @@ void Layouts::apply() {
         if (!isRestored && shown == arrangement_) size(window_, shown);
         window_.setUpdatesEnabled(true);
         window_.setAnimated(true);
+        window_.repaint();  // Qt loses an update that was requested before updates were disabled
     });
 }
 
 void Layouts::keep() {
     now() = window_.saveState(version);
     QSettings settings;
-    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+    for (const Arrangement each : arrangements)
         settings.setValue(QString(folder) + '/' + keyOf(each), states_[static_cast<std::size_t>(each)]);
     settings.setValue(QString(folder) + "/current", current_);
 }
@@ -198,14 +206,14 @@ QStringList Layouts::names() const {
 void Layouts::save(const QString& name) {
     now() = window_.saveState(version);
     QSettings settings;
-    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+    for (const Arrangement each : arrangements)
         settings.setValue(pathOf(name, each), states_[static_cast<std::size_t>(each)]);
     setCurrent(name);
 }
 
 void Layouts::load(const QString& name) {
     const QSettings settings;
-    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results}) {
+    for (const Arrangement each : arrangements) {
         const QByteArray kept = settings.value(pathOf(name, each)).toByteArray();
         states_[static_cast<std::size_t>(each)] = kept;
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layouts of the docks: one arrangement for drawing and one for viewing results.
-// Each remembers which docks were moved, closed or floated. Both can be saved together
-// under a name, and the defaults can be restored at any time.
+// The layouts of the docks: one arrangement for drawing, one for viewing results and one
+// for studies. Each remembers which docks were moved, closed or floated. All can be saved
+// together under a name, and the defaults can be restored at any time.
 #pragma once
 
 #include <QByteArray>
@@ -20,7 +20,7 @@ namespace keyblock {
 
 class Commands;
 
-enum class Arrangement { Drawing, Results };
+enum class Arrangement { Drawing, Results, Studies };
 
 class Layouts : public QObject {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
     void begin();
     /// Switches to this arrangement, and restores the docks as they were when it was last used.
     void show(Arrangement arrangement);
-    /// Saves both arrangements for the next start.
+    /// Saves all arrangements for the next start.
     void keep();
     void reset();
 
@@ -55,7 +55,7 @@ private:
 
     QMainWindow& window_;
     Arrangement arrangement_ = Arrangement::Drawing;
-    std::array<QByteArray, 2> states_;
+    std::array<QByteArray, 3> states_;
     QString current_;
     QToolButton* button_ = nullptr;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "solver/study/study_file.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
@@ -12,7 +13,9 @@
 #include "ui/look/display.h"
 #include "ui/look/plain_labels.h"
 #include "ui/look/theme.h"
+#include "ui/panels/properties/property_panel.h"
 #include "ui/runs/runs.h"
+#include "ui/study/study_page.h"
 #include "ui/tools/tool_desk.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/export_binding.h"
@@ -29,9 +32,11 @@
 #include "ui/window/place_panels.h"
 #include "ui/window/place_tools.h"
 #include "ui/window/probe_binding.h"
+#include "ui/window/report_binding.h"
 #include "ui/window/run_area.h"
 #include "ui/window/start_binding.h"
 #include "ui/window/status_line.h"
+#include "ui/window/study_room.h"
 #include "ui/window/workflow_bar.h"
 
 #include <QAction>
@@ -40,6 +45,7 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScreen>
+#include <QStackedWidget>
 #include <QStringList>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -54,7 +60,7 @@ namespace {
 
 /// Commands whose results the start page would cover: tools, results and panels.
 bool showsBelowStartPage(const QAction& action) {
-    static const QStringList rooms{"tool.", "scene.", "run.", "time.", "panel."};
+    static const QStringList rooms{"tool.", "scene.", "run.", "time.", "panel.", "study."};
     static const QStringList others{"help.contents", "help.scene", "help.theory", "help.verification",
                                     "help.security", "view.probe", "view.fit",    "view.zoomBox"};
     const QString id = action.objectName();
@@ -87,17 +93,19 @@ MainWindow::MainWindow(Themes& themes)
                       *canvas_);
     placeBars();
     placeCanvas();
+    placeStudies();
     const Panels panels =
         placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
     showRunsIn(panels, runs_->runs());
     showResultsIn(panels, runs_->results());
     raiseAskedPanels(*workflow_, panels);
+    connect(panels.properties, &PropertyPanel::varyAsked, studies_, &StudyRoom::vary);
     placeFileRooms();
     fillMenus(*menuBar(), *commands_);
     addToMenus(*this, *recent_, [this](const QString& path) { openPath(path); });
     layouts_->begin();
-    connect(runs_, &RunArea::modeChanged, layouts_,
-            [this](bool results) { layouts_->show(results ? Arrangement::Results : Arrangement::Drawing); });
+    connect(runs_, &RunArea::modeChanged, this, &MainWindow::arrange);
+    connect(workflow_, &WorkflowBar::chosen, this, &MainWindow::arrange);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(runs_, &RunArea::statesChanged, this, &MainWindow::showStates);
@@ -117,6 +125,9 @@ void MainWindow::openPath(const QString& path, UnsavedEdits edits) {
     if (path.endsWith(".kbrun", Qt::CaseInsensitive)) {
         start_->hide();
         openRun(*document_, runs_->runs(), path, *this, edits);
+    } else if (path.endsWith(".json", Qt::CaseInsensitive) && isStudyFile(path.toStdString())) {
+        start_->hide();
+        studies_->open(path);
     } else if (isDrawing(path)) {
         openImport(*this, *document_, themes_, path);
     } else {
@@ -131,7 +142,7 @@ void MainWindow::begin(const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    event->setAccepted(mayDiscard(*document_, *this));
+    event->setAccepted(mayDiscard(*document_, *this) && studies_->mayClose());
     if (!event->isAccepted()) return;
     layouts_->keep();
     runs_->runs().stopForClosing();
@@ -172,9 +183,30 @@ void MainWindow::placeCanvas() {
     new StatusLine(*statusBar(), *document_, *canvas_, *display_);
 }
 
+/// Places the page of studies, which takes the place of the canvas.
+void MainWindow::placeStudies() {
+    ReportWindow* report = addReportCommand(*this, *commands_, runs_->cursor());
+    studies_ = new StudyRoom({*this, *commands_, *document_, runs_->runs(), themes_, *workflow_, *report});
+    auto* pages = new QStackedWidget(this);
+    pages->addWidget(takeCentralWidget());
+    pages->addWidget(studies_->page());
+    setCentralWidget(pages);
+    connect(studies_, &StudyRoom::statesChanged, this, &MainWindow::showStates);
+}
+
+/// Arranges the docks for drawing, results or studies, as the workflow and the canvas say.
+void MainWindow::arrange() {
+    const bool studies = workflow_->current() == WorkStep::Studies;
+    static_cast<QStackedWidget*>(centralWidget())->setCurrentIndex(studies ? 1 : 0);
+    layouts_->show(studies                 ? Arrangement::Studies
+                   : runs_->showsResults() ? Arrangement::Results
+                                           : Arrangement::Drawing);
+}
+
 void MainWindow::showStates() {
     WorkStates states = workStates(*document_->checked().scene, document_->checked().problems);
     runs_->addTo(states);
+    studies_->addTo(states);
     workflow_->setStates(states);
 }
 

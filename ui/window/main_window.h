@@ -22,6 +22,7 @@ class RecentFiles;
 class RunArea;
 class Selection;
 class StartPage;
+class StudyRoom;
 class Themes;
 class Visibility;
 class WorkflowBar;
@@ -48,6 +49,8 @@ private:
     void placeBars();
     void placeFileRooms();
     void placeCanvas();
+    void placeStudies();
+    void arrange();
     void showTitle();
     void showStates();
 
@@ -65,6 +68,7 @@ private:
     Canvas* canvas_;
     DrawingFeed* drawing_;
     RunArea* runs_;
+    StudyRoom* studies_ = nullptr;
 };
 
 }  // namespace keyblock

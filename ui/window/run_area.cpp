@@ -114,6 +114,8 @@ void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     showMode();
 }
 
+bool RunArea::showsResults() const { return feed_->showsResults(); }
+
 void RunArea::tell(const QString& message, bool isError) {
     log_->tell(message, isError);
     parts_.window.statusBar()->showMessage(message, messageTime);

@@ -79,6 +79,8 @@ public:
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
     ProbeBinding& probe() { return *probe_; }
+    /// Whether the canvas shows results, and not the drawing.
+    bool showsResults() const;
     /// Results of the selected bolt or block, for the Properties panel.
     ResultCard& results() { return *results_; }
 

@@ -14,8 +14,8 @@
 
 namespace keyblock {
 
-enum class WorkStep { Geometry, Materials, Support, Stages, Run, Results };
-inline constexpr std::size_t workSteps = 6;
+enum class WorkStep { Geometry, Materials, Support, Stages, Run, Results, Studies };
+inline constexpr std::size_t workSteps = 7;
 
 enum class WorkState { Nothing, NotYet, Done, Warning, Error, Running };  // Nothing: no mark
 
@@ -24,7 +24,7 @@ using WorkStates = std::array<WorkState, workSteps>;
 /// The workflow step to which a problem belongs. \param pointer JSON pointer to the part of the scene with the problem.
 WorkStep stepOf(const std::string& pointer);
 
-/// States of the first four steps. The states of Run and Results depend on the runs and are set elsewhere.
+/// States of the first four steps. The states of the others depend on runs and are set elsewhere.
 WorkStates workStates(const Scene& scene, std::span<const Problem> problems);
 
 }  // namespace keyblock

@@ -50,8 +50,9 @@ WorkflowBar::WorkflowBar(const Themes& themes, QWidget* parent)
     setFixedHeight(barHeight);
     row_->setContentsMargins(rim, 0, rim, 0);
     row_->setSpacing(0);
-    const std::array names{tr("Geometry"), tr("Materials && joints"), tr("Support"), tr("Stages"), tr("Run"),
-                           tr("Results")};
+    const std::array names{
+        tr("Geometry"), tr("Materials && joints"), tr("Support"), tr("Stages"), tr("Run"), tr("Results"),
+        tr("Studies")};
     for (std::size_t i = 0; i < workSteps; ++i) {
         auto* tab = new QToolButton(this);
         tab->setText(names[i]);

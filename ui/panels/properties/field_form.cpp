@@ -141,6 +141,11 @@ void FieldForm::addGroup(const FormGroup& group) {
         connect(widget, &FormRowWidget::resetAsked, this, [this, widget] { reset(widget->row()); });
         connect(widget, &FormRowWidget::targetAsked, this,
                 [this, widget] { Q_EMIT targetAsked(QString::fromStdString(targetOf(widget->row()))); });
+        connect(widget, &FormRowWidget::varyAsked, this, [this, widget] {
+            QStringList fields;
+            for (const std::string& pointer : widget->row().pointers) fields << QString::fromStdString(pointer);
+            Q_EMIT varyAsked(fields);
+        });
         connect(widget, &FormRowWidget::focused, this, [this, widget] { Q_EMIT rowFocused(widget->row()); });
         rows->addWidget(widget);
         rows_.push_back(widget);

@@ -47,6 +47,7 @@ public:
 Q_SIGNALS:
     void rowFocused(const keyblock::FormRow& row);
     void targetAsked(const QString& pointer);  // pointer to the object named in a field
+    void varyAsked(const QStringList& pointers);  // pointers to a field of all objects, to vary it in a study
 
 private:
     void schedule();

@@ -9,9 +9,12 @@
 #include "ui/panels/fields/field_target.h"
 #include "ui/panels/fields/field_words.h"
 
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QStyle>
 #include <QToolButton>
@@ -57,6 +60,7 @@ FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWi
     problem_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label_->setBuddy(editor_);
     layOut();
+    for (QLineEdit* line : editor_->findChildren<QLineEdit*>()) line->installEventFilter(this);
     connect(editor_, &ValueEditor::entered, this, &FormRowWidget::entered);
     connect(editor_, &ValueEditor::refused, this, &FormRowWidget::setRefusal);
     connect(editor_, &ValueEditor::takenBack, this, [this] { setRefusal({}); });
@@ -101,6 +105,39 @@ void FormRowWidget::layOut() {
     grid->addWidget(problem_, 2, 0, 1, 4);
     grid->setRowMinimumHeight(0, formRowHeight - 4);
     problem_->hide();
+}
+
+/// Whether a study can vary the field: a number, a choice or a text, but not the name of the object.
+bool FormRowWidget::canVary() const {
+    if (!row_.field || row_.renames || isName(*row_.field)) return false;
+    switch (row_.field->kind) {
+        case FieldKind::Flag:
+        case FieldKind::Number:
+        case FieldKind::Integer:
+        case FieldKind::Text:
+        case FieldKind::Word: return true;
+        default: return false;
+    }
+}
+
+/// Lines have a menu of their own, to which the entry is added.
+bool FormRowWidget::eventFilter(QObject* watched, QEvent* event) {
+    auto* line = qobject_cast<QLineEdit*>(watched);
+    if (!line || event->type() != QEvent::ContextMenu || !canVary()) return QWidget::eventFilter(watched, event);
+    showMenu(line, static_cast<QContextMenuEvent*>(event)->globalPos());
+    return true;
+}
+
+void FormRowWidget::contextMenuEvent(QContextMenuEvent* event) {
+    if (canVary()) showMenu(nullptr, event->globalPos());
+}
+
+void FormRowWidget::showMenu(QLineEdit* line, const QPoint& place) {
+    QMenu* menu = line ? line->createStandardContextMenu() : new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (line) menu->addSeparator();
+    menu->addAction(tr("Vary in a study…"), this, &FormRowWidget::varyAsked)->setObjectName("varyInStudy");
+    menu->popup(place);
 }
 
 void FormRowWidget::present(const FormRow& row, const QString& problems, bool error) {

@@ -8,6 +8,7 @@
 #include "ui/panels/editors/value_editor.h"
 
 class QLabel;
+class QLineEdit;
 class QToolButton;
 
 namespace keyblock {
@@ -34,9 +35,16 @@ Q_SIGNALS:
     void resetAsked();
     void focused();
     void targetAsked();  // the user wants to see the object named in the field
+    void varyAsked();  // the user wants to vary the field in a study
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void layOut();
+    bool canVary() const;
+    void showMenu(QLineEdit* line, const QPoint& place);
     void showProblem();
     void showTarget();
 

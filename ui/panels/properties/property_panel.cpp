@@ -74,6 +74,7 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     connect(filter_, &QLineEdit::textChanged, form_, &FieldForm::setFilter);
     connect(form_, &FieldForm::rowFocused, this, &PropertyPanel::showHelp);
     connect(form_, &FieldForm::targetAsked, this, &PropertyPanel::goTo);
+    connect(form_, &FieldForm::varyAsked, this, &PropertyPanel::varyAsked);
     connect(&context.document, &Document::moved, this, [this](const WhereNow& now) {
         if (!pin_->isChecked()) return;
         const QStringList left = whereNow(pinned_, now);

@@ -47,6 +47,7 @@ public:
 
 Q_SIGNALS:
     void libraryAsked(const QString& type);  // name of a built-in type, which is not part of the scene
+    void varyAsked(const QStringList& pointers);  // pointers to a field of all objects, to vary it in a study
 
 private:
     void follow();
