@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_row.h"
 
-#include "ui/look/field_text.h"
 #include "ui/look/qt_text.h"
 
 #include <QCheckBox>
@@ -57,7 +56,7 @@ StudyRow::StudyRow(const std::string& pointer, const StudyPlace& place, const QS
     const Field& field = *place.field;
     setObjectName("studyRow:" + qt(pointer));
     setProperty("helpTopic", "study#" + qt(place.structure->name) + "/" + qt(field.key));
-    label_->setText(label.isEmpty() ? shownText(labelText(field)) : label);
+    label_->setText(label.isEmpty() ? qt(labelText(field)) : label);
     label_->setFixedWidth(rowLabelWidth);
     unit_->setText(qt(field.unit));
     unit_->setProperty("role", "unit");
