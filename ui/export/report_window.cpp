@@ -39,6 +39,18 @@ QString headingOf(const TemplateSection& section) {
     return qt(section.heading.empty() ? rowOf(section.content).heading : std::string_view(section.heading));
 }
 
+/// Shows a hint while the line is empty, in the colour of hints.
+void showHint(QLineEdit& line, const QString& hint) {
+    line.setPlaceholderText(hint);
+    const auto colour = [&line] {
+        line.setProperty("empty", line.text().isEmpty());
+        line.style()->unpolish(&line);
+        line.style()->polish(&line);
+    };
+    QObject::connect(&line, &QLineEdit::textChanged, &line, colour);
+    colour();
+}
+
 }  // namespace
 
 ReportWindow::ReportWindow(QWidget* parent)
@@ -73,7 +85,7 @@ QLineEdit* ReportWindow::addLine(QFormLayout& form, const QString& label, const 
     auto* line = new QLineEdit(this);
     line->setObjectName(name);
     line->setAccessibleName(label);
-    line->setPlaceholderText(hint);
+    showHint(*line, hint);
     form.addRow(label, line);
     return line;
 }
@@ -83,7 +95,7 @@ QLineEdit* ReportWindow::addFile(QFormLayout& form, const QString& label, const 
     auto* line = new QLineEdit(this);
     line->setObjectName(name);
     line->setAccessibleName(label);
-    line->setPlaceholderText(hint);
+    showHint(*line, hint);
     auto* button = new QPushButton(tr("Choose…"), this);
     button->setAccessibleName(tr("Choose a file: %1").arg(label));
     connect(button, &QPushButton::clicked, this, browse);

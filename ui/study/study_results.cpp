@@ -96,6 +96,8 @@ QWidget* StudyResults::makeCharts() {
     row->addWidget(result_, 1);
     row->addWidget(againstText_);
     row->addWidget(against_, 1);
+    row->addStretch(0);  // where the chart has no other choices
+    kind_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 4, 0, 4);
     column->addLayout(row);

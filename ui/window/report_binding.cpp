@@ -37,7 +37,7 @@ ReportWindow* addReportCommand(QMainWindow& window, Commands& commands, const Ti
                   QMainWindow::tr("Makes a report of the run as PDF or HTML, with figures and tables."),
                   {},
                   false,
-                  "report"},
+                  "save"},
                  [report, &cursor] {
                      if (!cursor.run()) return;
                      const std::filesystem::path store = cursor.run()->store();
