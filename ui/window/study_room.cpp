@@ -46,11 +46,12 @@ namespace fs = std::filesystem;
 
 constexpr int studyMessageTime = 8000;  // [ms]
 
-/// Whether a sweep was planned from this study and scene. Where the files are does not matter.
+/// Whether a sweep was planned from this study and scene. Titles, and where the files are, do not matter.
 bool isOf(const Sweep& sweep, const StudyReading& reading) {
     if (!reading.partly || sweep.plan.sceneHash != sha256(reading.sceneText)) return false;
     Study study = *reading.partly;
     study.scene = sweep.study.scene;
+    study.title = sweep.study.title;
     return study == sweep.study;
 }
 
@@ -350,13 +351,13 @@ void StudyRoom::begin() {
     session_->open(sweepFolder(same), true);
 }
 
-/// Shows the results that the study has already.
+/// Reads the results that the study has already, or those of its latest version.
 void StudyRoom::lookForSweep() {
     if (session_->isRunning() || draft_->path().isEmpty()) return;
-    if (const int same = matchingSweep(false); same > 0) {
-        session_->open(sweepFolder(same));
-        page_->showResults();
-    }
+    const int same = matchingSweep(false), last = lastSweep();
+    if (same > 0) page_->showResults();
+    const QString folder = sweepFolder(same > 0 ? same : last);
+    if (last > 0 && QFileInfo::exists(folder + '/' + sweepPlanName)) session_->open(folder);
 }
 
 void StudyRoom::answerRecovery(bool recovers) {

@@ -122,6 +122,21 @@ TEST_F(StudyRooms, StudyFileOpensWithItsResults) {
     EXPECT_TRUE(waitFor([&] { return window_->findChild<QDockWidget*>("problemsDock")->isVisible(); }, 5000));
 }
 
+TEST_F(StudyRooms, ResultsOfAnEarlierVersionAreShownAsSuch) {
+    const fs::path path = plannedStudy();
+    Study study = *readStudyFile(path).study;
+    const auto opensWith = [&](const char* words) {
+        writeStudyFile(path, study);
+        window_->openPath(qtPath(path));
+        EXPECT_TRUE(waitFor([&] { return room().session().opened() != nullptr; }, 10000));
+        return window_->findChild<QLabel*>("study.detail")->text().contains(words);
+    };
+    study.title = "Another title";
+    EXPECT_FALSE(opensWith("has changed")) << "a title changes no result";
+    study.plan.seed = 2;
+    EXPECT_TRUE(opensWith("has changed"));
+}
+
 TEST_F(StudyRooms, CaseGivesTheSceneItsValuesAsOneUndoStep) {
     window_->openPath(qtPath(plannedStudy()));
     ASSERT_TRUE(waitFor([&] { return room().session().opened() != nullptr; }));
