@@ -34,7 +34,9 @@ public:
         TradeSetting own{ownPoint, "", {}, [](Scene&) {}};
         if (!add(own)) return false;
         if (!trade_.points.front().failure.empty()) return true;
-        return addReference() && addAxes() && addCombinations();
+        if (!addReference() || !addAxes()) return false;
+        if (trade_.reference == 0) chooseReference();
+        return addCombinations();
     }
 
 private:
@@ -94,6 +96,20 @@ private:
         if (trade_.points.size() > before && trade_.points.back().failure.empty())
             trade_.reference = static_cast<int>(before);
         return true;
+    }
+
+    /// Without a run with the finest settings together, the one with most work and unknowns takes its place.
+    void chooseReference() {
+        const auto effort = [](const TradePoint& point) { return workOf(point.work) * point.unknowns; };
+        for (std::size_t i = 1; i < trade_.points.size(); ++i) {
+            const TradePoint& point = trade_.points[i];
+            const bool refines = point.axis == presetAxisName ||
+                                 std::any_of(axes_.begin(), axes_.end(), [&](const TradeAxis& axis) {
+                                     return axis.refines && axis.name == point.axis && axis.name != "penalty_ratio";
+                                 });
+            if (refines && point.failure.empty() && effort(point) > effort(trade_.points[trade_.reference]))
+                trade_.reference = static_cast<int>(i);
+        }
     }
 
     bool addAxes() {

@@ -18,14 +18,16 @@ namespace keyblock {
 namespace {
 
 constexpr std::array divisions{15, 30, 60, 120, 240};
+constexpr std::array finerAutomatic{2.0, 4.0};  // times the fineness of the scene's own automatic divisions
 constexpr std::array timeSteps{4.0, 2.0, 0.5, 0.25};  // times the scene's own
 constexpr std::array increments{5, 20, 80};
 constexpr std::array tolerances{1e-3, 1e-4, 1e-5, 1e-6};
 constexpr std::array penalties{0.1, 0.31622776601683794, 3.1622776601683794, 10.0};  // times the scene's own
 constexpr std::array cellSizes{2.0, 0.5};  // times the scene's own
 constexpr std::array sleepTolerances{1e-2, 1e-3, 0.0};
+constexpr int usualIncrements = 40;  // of automatic ones, for the estimate of the cost
 constexpr double costPerDecade = 1.25;  // of the tolerance
-constexpr double costOfMultipliers = 3.0, costOfAwake = 5.0, costOfOpenClose = 2.0;
+constexpr double costOfStiffContacts = 1.3, costOfMultipliers = 3.0, costOfAwake = 5.0, costOfOpenClose = 2.0;
 constexpr std::size_t mostOpenClose = 60;  // blocks of a scene on which the open–close iteration is tried
 
 bool hasStage(const Scene& scene, StageKind kind) {
@@ -63,6 +65,27 @@ bool hasDividedBolts(const Scene& scene) {
            std::any_of(scene.boltPatterns.begin(), scene.boltPatterns.end(), divided);
 }
 
+/// Whether all bolts that may be divided have automatic divisions.
+bool isAutomatic(const Scene& scene) {
+    const auto automatic = [&](const auto& bolt) { return !isDivided(scene, bolt) || !bolt.divisions; };
+    return std::all_of(scene.bolts.begin(), scene.bolts.end(), automatic) &&
+           std::all_of(scene.boltPatterns.begin(), scene.boltPatterns.end(), automatic);
+}
+
+/// Automatic divisions that are finer everywhere. Equal ones are coarser at joints than automatic ones, however many
+/// there are within reason, so that results do not converge to theirs.
+void addFinerAutomatic(const Scene& scene, const TradeModel& model, TradeAxis& axis) {
+    for (const double factor : finerAutomatic) {
+        const double value = factor * numericsOf(scene.analysis).divisionsFactor;
+        TradeSetting setting{
+            axis.name, "automatic × " + rounded(factor), {"analysis.divisions_factor=" + shortest(value)}, {}};
+        setting.apply = [value](Scene& changed) { changed.analysis.divisionsFactor = value; };
+        const double own = model.blockUnknowns + model.boltUnknowns;
+        setting.cost = own > 0.0 ? (model.blockUnknowns + factor * model.boltUnknowns) / own : 1.0;
+        axis.settings.push_back(std::move(setting));
+    }
+}
+
 /// Bolts whose bond is given per node keep their divisions, on which their strength depends.
 TradeAxis divisionsAxis(const Scene& scene, const TradeModel& model) {
     TradeAxis axis{"divisions", {}, 0.0, true};
@@ -84,6 +107,7 @@ TradeAxis divisionsAxis(const Scene& scene, const TradeModel& model) {
         setting.cost = own > 0.0 ? (model.blockUnknowns + 3.0 * model.bolts * (n + 1)) / own : 1.0;
         axis.settings.push_back(std::move(setting));
     }
+    if (isAutomatic(scene)) addFinerAutomatic(scene, model, axis);
     return axis;
 }
 
@@ -109,10 +133,24 @@ TradeAxis timeStepAxis(const Scene& scene) {
     return axis;
 }
 
+/// Number of increments that all static stages give; none if they are automatic or differ.
+std::optional<int> givenIncrements(const Scene& scene) {
+    std::optional<int> given;
+    for (const Stage& stage : scene.stages) {
+        if (stage.kind != StageKind::Static) continue;
+        if (!stage.increments || (given && *given != *stage.increments)) return std::nullopt;
+        given = stage.increments;
+    }
+    return given;
+}
+
 TradeAxis incrementsAxis(const Scene& scene) {
-    TradeAxis axis{"increments", {}, 0.0, true};
+    const std::optional<int> own = givenIncrements(scene);
+    TradeAxis axis{"increments", {}, own ? 1.0 / *own : 0.0, true};
     for (const int n : increments) {
-        TradeSetting setting{axis.name, std::to_string(n), {}, {}, 1.0 / n, n / 10.0};
+        if (n == own) continue;
+        TradeSetting setting{axis.name, std::to_string(n), {},
+                             {},        1.0 / n,           n / static_cast<double>(own.value_or(usualIncrements))};
         for (std::size_t i = 0; i < scene.stages.size(); ++i)
             if (scene.stages[i].kind == StageKind::Static)
                 setting.overrides.push_back(at("stages", i, "increments", setting.text));
@@ -148,7 +186,7 @@ TradeAxis penaltyAxis(const Scene& scene) {
                                                [value](Analysis& a) { a.penaltyRatio = value; });
         setting.text = rounded(value);
         setting.size = 1.0 / factor;
-        setting.cost = std::max(1.0, std::sqrt(factor));
+        setting.cost = factor > 1.0 ? costOfStiffContacts : 1.0;
         axis.settings.push_back(std::move(setting));
     }
     return axis;

@@ -17,6 +17,7 @@ namespace {
 constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double noEffect = 1e-6;  // change over the value: smaller ones do not show how a quantity converges
+constexpr double leastListed = 1e-4;  // smaller errors are not listed in sentences
 constexpr double leastError = 1e-6;  // smaller errors are equal on the front
 constexpr double sameRatio = 0.05;  // relative difference of the ratios of three sizes
 constexpr std::size_t mostCompared = 2000;  // events of an order; the comparison takes the square of that
@@ -150,6 +151,8 @@ int recommendedPreset(const Trade& trade, double most) {
     const TradePoint &own = trade.points.front(), &reference = trade.points[trade.reference];
     const bool ownIsGood = largestError(own, reference, trade.quantities) <= most;
     return fastest(trade, most, [&](const TradePoint& point) {
+        // in place of a run with the finest settings its own error is unknown
+        if (&point == &reference && point.axis == presetAxisName) return false;
         return isPreset(point) && (!ownIsGood || point.axis == ownPoint || isCheaper(point, own));
     });
 }
@@ -172,11 +175,18 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
     } else {
         text += rounded(point.seconds) + " s";
     }
+    bool listed = false;
+    bool others = false;  // with errors too small to be listed
     for (std::size_t q = 0; q < trade.quantities.size(); ++q) {
         const auto error = errorOf(point, reference, trade.quantities, q);
         if (!error) continue;
+        if (point.values[q].order.empty() && reference.values[q].order.empty() && *error < leastListed) {
+            others = others || point.values[q].value;
+            continue;
+        }
         const Measurement &here = point.values[q], &there = reference.values[q];
         if (!here.order.empty() || !there.order.empty()) {
+            listed = true;
             const std::string kind = trade.quantities[q].substr(std::string("order ").size());
             text += *error == 0.0 ? ", same order of " + kind
                                   : ", " + rounded(100.0 * *error) + " % of the order of " + kind + " differs";
@@ -184,8 +194,11 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
             text += ", " + trade.quantities[q] + " " +
                     (*there.value == 0.0 ? rounded(*here.value) + " instead of 0"
                                          : percent(signedError(*here.value, *there.value)));
+            listed = true;
         }
     }
+    if (others)
+        text += (listed ? ", all else within " : ", all quantities within ") + rounded(100.0 * leastListed) + " %";
     return text;
 }
 

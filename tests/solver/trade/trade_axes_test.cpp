@@ -67,6 +67,31 @@ TEST(TradeAxes, KeepTheDivisionsOfBondsGivenPerNode) {
     EXPECT_EQ(namesOf(tradeAxes(scene, {12, 1, 30, 1})).front(), "time_step");
 }
 
+/// Equal divisions are coarser at joints than automatic ones, so the finest ones are automatic too.
+TEST(TradeAxes, RefineAutomaticDivisionsEverywhere) {
+    Scene scene = inclineScene(30.0, 20.0, 0.1);
+    scene.bolts.resize(1);
+    const double own = numericsOf(scene.analysis).divisionsFactor;
+    const TradeSetting finest = axisNamed(tradeAxes(scene, {12, 1, 30, 1}), "divisions").settings.back();
+    Scene changed = scene;
+    finest.apply(changed);
+    EXPECT_EQ(changed.analysis.divisionsFactor, 4.0 * own);
+    EXPECT_FALSE(changed.bolts[0].divisions);
+    scene.bolts[0].divisions = 60;
+    EXPECT_EQ(axisNamed(tradeAxes(scene, {12, 1, 30, 1}), "divisions").settings.back().text, "240");
+}
+
+/// Increments that are coarser than the scene's own are no reference.
+TEST(TradeAxes, KnowTheSizeOfGivenIncrements) {
+    Scene still = inclineScene(30.0, 40.0, 0.1);
+    still.stages.front() = {};
+    EXPECT_EQ(axisNamed(tradeAxes(still, {12, 0, 0, 1}), "increments").ownSize, 0.0);
+    still.stages.front().increments = 100;
+    const std::vector<TradeAxis> axes = tradeAxes(still, {12, 0, 0, 1});
+    EXPECT_EQ(axisNamed(axes, "increments").ownSize, 0.01);
+    EXPECT_GT(axisNamed(axes, "increments").settings.back().size, 0.01);
+}
+
 TEST(TradeAxes, LeaveOutTheOwnValue) {
     const std::vector<TradeAxis> axes = tradeAxes(inclineScene(30.0, 20.0, 0.1), {12, 0, 0, 1});
     for (const TradeSetting& setting : axisNamed(axes, "integration").settings) EXPECT_NE(setting.text, "shi");
