@@ -127,7 +127,8 @@ void Canvas::setHint(const QString& title, const QString& text, bool aside) {
 }
 
 QRectF Canvas::room() const {
-    const bool explains = picture_ && hasLegend_ && !style_.drawing && (picture_->blockLegend || picture_->boltLegend);
+    const bool explains = picture_ && hasLegend_ && !style_.drawing &&
+                          (picture_->blockLegend || picture_->boltLegend || picture_->activity);
     const QMarginsF legend = explains ? legendRoom(themes_.current(), {*picture_, nullptr, {}}, size()) : QMarginsF();
     return QRectF(rect()).marginsRemoved(legend).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom, -rimOfRoom);
 }

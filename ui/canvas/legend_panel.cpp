@@ -3,6 +3,7 @@
 #include "ui/canvas/legend_panel.h"
 
 #include "ui/canvas/call_out.h"
+#include "ui/canvas/legend_activity.h"
 #include "ui/canvas/legend_bar.h"
 #include "ui/canvas/legend_forces.h"
 #include "ui/canvas/legend_key.h"
@@ -54,6 +55,10 @@ std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content,
                              }, part});
     };
     addBar(picture.blockLegend, LegendPart::Blocks);
+    if (picture.activity)
+        items.push_back({legendActivityHeight(), [&theme, &picture, inner](QPainter& painter, const QPointF& at) {
+                             paintLegendActivity(painter, theme, *picture.activity, at, inner);
+                         }});
     if (picture.arrows && picture.arrows->largest > 0.0)
         items.push_back({legendArrowsHeight(*picture.arrows, inner, notes),
                          [&, inner, notes](QPainter& painter, const QPointF& at) {

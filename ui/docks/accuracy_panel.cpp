@@ -21,6 +21,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr int leastWidthForButton = 340;  // [px] next to the text
+
 bool hasResult(const Trade& trade) { return !trade.points.empty() && trade.points.front().failure.empty(); }
 
 }  // namespace
@@ -49,14 +51,14 @@ AccuracyPanel::AccuracyPanel(const Themes& themes, Document& document, TradeRuns
         button->setAccessibleName(button->text());
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     }
-    auto* row = new QHBoxLayout;
-    row->addWidget(answer_, 1);
-    row->addWidget(stop_, 0, Qt::AlignTop);
-    row->addWidget(start_, 0, Qt::AlignTop);
+    row_ = new QHBoxLayout;
+    row_->addWidget(answer_, 1);
+    row_->addWidget(stop_, 0, Qt::AlignTop);
+    row_->addWidget(start_, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 6, 12, 6);
     column->setSpacing(4);
-    column->addLayout(row);
+    column->addLayout(row_);
     column->addWidget(progress_);
     column->addWidget(detail_);
     column->addWidget(chart_, 1);
@@ -69,6 +71,11 @@ AccuracyPanel::AccuracyPanel(const Themes& themes, Document& document, TradeRuns
     connect(&document, &Document::changed, this, &AccuracyPanel::fill);
     connect(chart_, &TradeView::picked, this, &AccuracyPanel::use);
     fill();
+}
+
+void AccuracyPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    row_->setDirection(width() < leastWidthForButton ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void AccuracyPanel::fill() {

@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -25,6 +26,10 @@ class AccuracyPanel : public QWidget {
 public:
     AccuracyPanel(const Themes& themes, Document& document, TradeRuns& runs, QWidget* parent = nullptr);
 
+protected:
+    /// Puts the button below the text where there is little room next to it.
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void fill();
     QString answer() const;
@@ -35,6 +40,7 @@ private:
     Document& document_;
     TradeRuns& runs_;
     QLabel *answer_, *detail_;
+    QBoxLayout* row_;
     QProgressBar* progress_;
     QPushButton *start_, *stop_;
     TradeView* chart_;

@@ -93,7 +93,10 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     row_->addSpacing(spaceBeforeToggles);
     callOuts_ = addToggle("viewCallOuts", tr("Labels"), tr("Label the events on the section"), "label");
     contacts_ = addToggle("viewContacts", tr("Contact forces"), tr("Draw the forces between blocks as lines"), "contact-force");
-    for (QToolButton* button : {callOuts_, contacts_}) connect(button, &QToolButton::clicked, this, &ViewBar::take);
+    activity_ = addToggle("viewActivity", tr("Modelled blocks"),
+                          tr("Colour the blocks that are active, asleep and fixed"), "block");
+    for (QToolButton* button : {callOuts_, contacts_, activity_})
+        connect(button, &QToolButton::clicked, this, &ViewBar::take);
     row_->addStretch(1);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
     connect(&themes, &Themes::changed, this, &ViewBar::showIcons);
@@ -168,6 +171,7 @@ void ViewBar::take() {
     choice.factor = factor_->currentData().toDouble();
     choice.callOuts = callOuts_->isChecked();
     choice.contacts = contacts_->isChecked();
+    choice.activity = activity_->isChecked();
     const int arrows = arrows_->currentIndex() - 1;
     choice.arrows = arrows >= 0 ? std::optional(kindsOfArrows[arrows]) : std::nullopt;
     settings_.choose(choice);
@@ -190,6 +194,8 @@ void ViewBar::showChoice() {
     const auto kind = choice.arrows ? std::ranges::find(kindsOfArrows, *choice.arrows) : kindsOfArrows.end();
     arrows_->setCurrentIndex(kind == kindsOfArrows.end() ? 0 : static_cast<int>(kind - kindsOfArrows.begin()) + 1);
     contacts_->setChecked(choice.contacts);
+    activity_->setChecked(choice.activity);
+    blocks_->setEnabled(!choice.activity);
     for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_, arrows_}) box->updateGeometry();
     fit();
 }
@@ -223,7 +229,7 @@ std::vector<QWidget*> ViewBar::dispensable() const {
     std::vector<QWidget*> found;
     for (const char* name : {"view.fitBar", "view.zoomBoxBar"})
         if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
-    found.insert(found.end(), {contacts_, callOuts_, arrows_});
+    found.insert(found.end(), {activity_, contacts_, callOuts_, arrows_});
     for (const char* name : {"export.figureBar", "view.probeBar"})
         if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
     found.insert(found.end(), {factor_, ribbon_});

@@ -49,7 +49,7 @@ private:
     ViewSettings& settings_;
     QHBoxLayout* row_;
     QComboBox *blocks_, *bolts_, *ribbon_, *factor_, *arrows_;
-    QToolButton *callOuts_, *contacts_;
+    QToolButton *callOuts_, *contacts_, *activity_;
     std::vector<QToolButton*> toggles_;
     QToolButton* more_ = nullptr;  // menu for controls that do not fit
     std::vector<QWidget*> hidden_;  // controls that do not fit, from left to right

@@ -123,7 +123,8 @@ SectionRequest SectionFeed::request() const {
     const ViewChoice& choice = settings_.choice();
     SectionRequest request;
     request.frame = 0;
-    request.blocks = choice.blocks;
+    request.activity = choice.activity;
+    request.blocks = choice.activity ? nullptr : choice.blocks;
     request.bolts = choice.bolts;
     request.arrows = choice.arrows;
     request.contacts = choice.contacts;

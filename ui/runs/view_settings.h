@@ -24,6 +24,7 @@ struct ViewChoice {
     double factor = 1.0;  // scale factor of displacements
     std::optional<ArrowKind> arrows;
     bool contacts = false;  // contact forces drawn as lines
+    bool activity = false;  // blocks coloured by what a step models
     bool callOuts = true;  // labels at events
     ScaleChoices scales{};
 

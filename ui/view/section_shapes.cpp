@@ -61,7 +61,11 @@ LayerShapes SectionShapes::blocks(const ViewColours& colours, bool drawing) cons
     for (const BlockShape& block : picture_.blocks) {
         const bool plain = drawing || !block.value || !picture_.blockLegend;
         addFilled(shapes, block.outline, block.before);
-        addColour(shapes, plain ? colours.rock : picture_.blockLegend->colourOf(*block.value, colours.dark),
+        const bool byActivity = !drawing && block.activity;
+        addColour(shapes,
+                  byActivity ? colourOf(*block.activity, colours.dark)
+                  : plain    ? colours.rock
+                             : picture_.blockLegend->colourOf(*block.value, colours.dark),
                   shapes.corners.size() / 2 - shapes.colours.size() / 3);
     }
     return shapes;

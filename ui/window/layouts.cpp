@@ -35,9 +35,10 @@ const Groups& groupsOf(Arrangement arrangement) {
     static const Groups none;
     if (arrangement == Arrangement::Studies) return none;
     static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
-    static const Groups results{{"stripDock"},
-                                {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock"},
-                                {"stabilityDock", "healthDock", "eventsDock", "runsDock", "logDock"}};
+    static const Groups results{
+        {"stripDock"},
+        {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock", "stressDock"},
+        {"stabilityDock", "healthDock", "eventsDock", "runsDock", "logDock"}};
     return arrangement == Arrangement::Drawing ? drawing : results;
 }
 

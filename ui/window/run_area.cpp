@@ -16,6 +16,7 @@
 #include "ui/docks/run_warning.h"
 #include "ui/docks/accuracy_panel.h"
 #include "ui/docks/safety_panel.h"
+#include "ui/docks/stress_panel.h"
 #include "ui/docks/scale_panel.h"
 #include "ui/docks/stability_panel.h"
 #include "ui/docks/time_line.h"
@@ -33,6 +34,7 @@
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
 #include "ui/runs/safety_search.h"
+#include "ui/runs/stress_runs.h"
 #include "ui/runs/trade_runs.h"
 #include "ui/runs/section_feed.h"
 #include "ui/runs/time_cursor.h"
@@ -65,7 +67,7 @@ RunArea::RunArea(const RunAreaParts& parts)
       pins_(new Pins(*cursor_, this)),
       results_(new ResultCard(parts.themes, parts.display, *cursor_, *choice_, *blocks_, &parts.window)),
       comparison_(new Comparison(*cursor_, this)), safety_(new SafetySearch(parts.document, this)),
-      accuracy_(new TradeRuns(parts.document, this)) {
+      accuracy_(new TradeRuns(parts.document, this)), stress_(new StressRuns(parts.document, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
     // Created before the probe, whose pins have a context menu of their own.
@@ -168,12 +170,39 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                             accuracy->raise();
                             accuracy_->start();
                         });
+    QDockWidget* stress = makeDock(window, themes, "stressDock", tr("Stress test"), new StressPanel(*stress_, &window));
+    parts_.commands.add({"run.stress",
+                         tr("Stress test"),
+                         "Run",
+                         {},
+                         tr("Runs the scene with larger and smaller settings and loads and shows what breaks first."),
+                         {},
+                         false,
+                         "safety"},
+                        [this, stress] {
+                            stress->show();
+                            stress->raise();
+                            stress_->start();
+                        });
+    parts_.commands.add({"view.activity",
+                         tr("Show modelled blocks"),
+                         "Results",
+                         {},
+                         tr("Colours the blocks that are active, asleep and fixed, or shows their quantity again."),
+                         {},
+                         false,
+                         "block"},
+                        [this] {
+                            ViewChoice choice = settings_->choice();
+                            choice.activity = !choice.activity;
+                            settings_->choose(choice);
+                        });
     compare_->place(besideCanvas, *allCurves, *energies);
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
     for (QDockWidget* dock :
-         {time, strip, curves, verdict, health, eventsDock_, asked, safety, accuracy, energy, list, log})
+         {time, strip, curves, verdict, health, eventsDock_, asked, safety, accuracy, stress, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // until the layouts arrange it
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {

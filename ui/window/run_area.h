@@ -36,6 +36,7 @@ class ProbeBinding;
 class RunLog;
 class Runs;
 class SafetySearch;
+class StressRuns;
 class TradeRuns;
 class SectionFeed;
 class Selection;
@@ -113,6 +114,7 @@ private:
     Comparison* comparison_;
     SafetySearch* safety_;
     TradeRuns* accuracy_;
+    StressRuns* stress_;
     CompareArea* compare_;
     int asked_ = -1;  // block outlined on request of a dock; −1: none
     ViewBar* bar_ = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/look/commands.h"
 #include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
+#include "solver/trade/trade_next.h"
 #include "ui/panels/summary/model_summary_rows.h"
 
 #include <QGridLayout>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <exception>
 #include <initializer_list>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -39,10 +41,14 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
 }
 
 /// Null if the count was stopped or memory ran out.
-std::shared_ptr<const ModelSummary> modelSummaryOf(const Scene& solved, const SceneCut* cut,
-                                                   const std::atomic<bool>& stop) {
+/// \param file of the scene, next to which a trade of it is looked for; empty: none.
+std::shared_ptr<const ModelSummary> modelSummaryOf(const Scene& scene, const SceneCut* cut,
+                                                   const std::filesystem::path& file, const std::atomic<bool>& stop) {
     try {
-        std::optional<ModelSummary> summary = makeModelSummary(solved, cut, &stop);
+        std::optional<ModelSummary> summary = makeModelSummary(cut ? cut->scene : scene, cut, &stop);
+        if (!summary) return nullptr;
+        if (const auto trade = file.empty() ? std::nullopt : findStoredTrade(file, scene))
+            summary->next = withMeasured(std::move(summary->next), scene, trade->points, trade->quantities);
         return summary ? std::make_shared<const ModelSummary>(std::move(*summary)) : nullptr;
     } catch (const std::exception&) {
         return nullptr;
@@ -206,8 +212,9 @@ void ModelSummaryPanel::ask() {
     if (solved.blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
     tell(tr("Counting…"));
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut]() -> Background::Result {
-        auto summary = modelSummaryOf(cut ? cut->scene : *scene, cut.get(), *stop);
+    const std::filesystem::path file = document_.path().toStdString();
+    counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut, file]() -> Background::Result {
+        auto summary = modelSummaryOf(*scene, cut.get(), file, *stop);
         return [this, stop, summary] {
             if (*stop) return;
             summary_ = summary;
@@ -261,13 +268,13 @@ void ModelSummaryPanel::present() {
     state_->hide();
     int row = 0;
     addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Remarks")}, "detail", false);
-    bool hasHeading = false;
+    bool hasHeading = false, hasNext = false;
     for (const ModelSummaryRow& part : modelSummaryRows(*summary_)) {
-        if (part.leftOut && !hasHeading) {
+        if (part.leftOut && !std::exchange(hasHeading, true))
             addRow(row++, {tr("Not modelled"), {}, {}, {}}, "detail", false);
-            hasHeading = true;
-        }
-        if (part.leftOut) {
+        if (part.next && !std::exchange(hasNext, true))
+            addRow(row++, {tr("Could be left out next"), {}, {}, {}}, "detail", false);
+        if (part.leftOut || part.next) {
             auto* what = labelOf(table_, "cell", part.what);
             what->setWordWrap(true);
             what->setToolTip(asTip(part.why));
@@ -282,8 +289,9 @@ void ModelSummaryPanel::present() {
     const CostEstimate& estimate = summary_->estimate;
     const bool runs = !estimate.stages.empty();
     time_->setText(runs ? costText(estimate.seconds) : QString::fromUtf8("–"));
-    range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost))
-                    : QString());
+    range_->setText(runs && estimate.secondsMost >= 1.0
+                        ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost))
+                        : QString());
     memory_->setText(runs ? memoryText(estimate.memory) : QString::fromUtf8("–"));
     const QString details = runs ? range_->text() + '\n' + estimateDetails(estimate) : QString();
     for (QLabel* label : {time_, range_, memory_}) label->setToolTip(asTip(details));

@@ -76,6 +76,15 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
         rows.push_back({QString::fromStdString(part.what), {}, {},
                         SummaryTexts::tr("%1; saves %2").arg(QString::fromStdString(part.why),
                                                   QString::fromStdString(part.saves)), true});
+    for (const NextLeftOut& next : summary.next)
+        rows.push_back({QString::fromStdString(next.what),
+                        {},
+                        {},
+                        (next.measured ? SummaryTexts::tr("%1; saves %2") : SummaryTexts::tr("cost %1; saves %2"))
+                            .arg(QString::fromStdString(next.costs), QString::fromStdString(next.saves)),
+                        false,
+                        false,
+                        true});
     return rows;
 }
 

@@ -17,6 +17,7 @@ struct ModelSummaryRow {
     QString what, count, unknowns, why;
     bool leftOut = false;
     bool total = false;
+    bool next = false;  // could be left out
 };
 
 std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary);

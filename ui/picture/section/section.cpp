@@ -93,6 +93,23 @@ private:
                     shape.value = value;
             picture_.blocks.push_back(std::move(shape));
         }
+        addActivity();
+    }
+
+    void addActivity() {
+        if (!request_.activity || !request_.frame) return;
+        const std::vector<char> fixed = fixedBlocks(scene_, solved_);
+        const FrameHead info = run_.frames()[*request_.frame];
+        const bool inMotion = scene_.stages[info.stage].kind == StageKind::Dynamic && info.time > 0.0;
+        ActivityCounts counts;
+        counts.removed = static_cast<int>(std::count(present_.begin(), present_.end(), 0));
+        for (BlockShape& shape : picture_.blocks) {
+            shape.activity = activityOf(frame_.blocks[shape.block], fixed[shape.block] != 0, inMotion);
+            ++(*shape.activity == BlockActivity::Active   ? counts.active
+               : *shape.activity == BlockActivity::Asleep ? counts.asleep
+                                                          : counts.fixed);
+        }
+        picture_.activity = counts;
     }
 
     void addFaces() {

@@ -10,6 +10,7 @@
 #include "solver/results/frame_quantities.h"
 #include "solver/results/run_source.h"
 #include "ui/picture/event_list.h"
+#include "ui/picture/section/activity.h"
 #include "ui/picture/section/arrows.h"
 #include "ui/picture/section/legend.h"
 #include "ui/picture/section/marks.h"
@@ -28,6 +29,7 @@ struct SectionRequest {
     std::optional<ArrowKind> arrows;  // drawn over blocks that are not coloured
     bool contacts = false;  // draw contact forces, over blocks that are not coloured
     bool everyContact = false;  // include contact forces outside the window, for a view that can be panned
+    bool activity = false;  // colour blocks by what a step models, instead of by a quantity
     std::optional<int> ribbon;  // bolt with the force diagram; null: the bolt with the largest value
     double factor = 1.0;  // scale factor of displacements
     bool whole = false;  // show the whole model, not only the surroundings of tunnels and bolts
@@ -50,6 +52,7 @@ struct BlockShape {
     std::optional<double> value;  // in the display unit; null: not coloured
     double displaced = 0.0;  // largest displacement of a corner, as drawn [m]
     std::vector<char> edgesHidden{};  // one per edge: not drawn as a joint; empty: all edges are drawn
+    std::optional<BlockActivity> activity{};  // null: not coloured by it
 };
 
 struct BoltShape {
@@ -79,6 +82,7 @@ struct SectionPicture {
     std::vector<std::vector<Point>> openings;  // tunnel profiles [m]; blocks not yet excavated are drawn over them
     std::vector<BoltShape> bolts;  // bolts that exist at this time
     std::optional<LegendBar> blockLegend, boltLegend;
+    std::optional<ActivityCounts> activity;  // null: blocks are not coloured by it
     std::optional<ArrowField> arrows;
     std::optional<ContactField> contacts;
     std::optional<Ribbon> ribbon;
