@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare presets estimates everything fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare presets trade estimates everything fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -29,6 +29,7 @@ help:
 	@echo "make bench  measure time and memory of typical work; BENCH_JSON=FILE keeps the times of steps, LARGE=1 adds 5,000 blocks and more"
 	@echo "make bench-compare  compare two such files, OLD=FILE NEW=FILE WORSE=1.2; fails if a step has become slower"
 	@echo "make presets  measure what the presets change and save, and write resources/help/presets.md"
+	@echo "make trade  measure accuracy against time of eight samples and the stated errors of presets, and write resources/help/trade.md"
 	@echo "make estimates  compare the estimated time of every sample with the measured one, and write the table in resources/help/speed.md"
 	@echo "make everything  run six scenes with everything modelled and with what they need only, and write the table in resources/help/speed.md"
 	@echo "make fuzz   fuzz the scene reader, or with TARGET=cut|drawing the cut or the import, MINUTES=60"
@@ -157,6 +158,13 @@ presets:
 	$(call build,release)
 	/usr/bin/python3 tests/presets/presets.py measure build/release/keyblock --json build/release/presets.json
 	/usr/bin/python3 tests/presets/presets.py page build/release/presets.json resources/help/presets.md
+
+trade:
+	@sh resources/install/debian.sh python3
+	$(call build,release)
+	/usr/bin/python3 tests/trade/trade.py measure build/release/keyblock --out build/release/trades
+	/usr/bin/python3 tests/presets/truth.py measure build/release/keyblock --json build/release/truth.json
+	/usr/bin/python3 tests/trade/trade.py page build/release/trades resources/help/trade.md --truth build/release/truth.json
 
 estimates:
 	@sh resources/install/debian.sh python3

@@ -27,7 +27,7 @@ SMALL = 1e-5  # [m]
 FASTER = 5.0  # where 5 % of the blocks move
 
 
-def sliders(steps=300):
+def sliders(steps=800):
     """A wall of 480 bricks at rest, and 24 stones that slide on a slab next to it."""
     scene = scenes.wall(24, 20, steps)
     scene["blocks"].append(scenes.box(30, -1, 80, 1))
@@ -100,6 +100,8 @@ def measure(arguments):
     results = json.loads(arguments.json.read_text(encoding="utf-8")) if arguments.json.exists() else {}
     for name in arguments.only or SCENES:
         with tempfile.TemporaryDirectory() as folder:
+            for file in scenes.SAMPLES.glob("*.csv"):
+                (pathlib.Path(folder) / file.name).write_bytes(file.read_bytes())
             results[name] = [run(arguments.program, scene_of(name), everything, pathlib.Path(folder))
                              for everything in (True, False)]
         print(*row_of(name, results[name]), sep="  ", flush=True)

@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures accuracy against time of eight samples and writes the help page.
+
+    trade.py measure PROGRAM --out DIR [--only NAME ...] [--budget SECONDS]    PROGRAM is keyblock; a trade in DIR continues
+    trade.py page DIR PAGE [--truth FILE]     writes the trades in DIR to a help page; FILE is that of tests/presets/truth.py
+
+The samples leave their numerical settings to the preset, as in tests/presets/presets.py, so that presets mean something.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/presets"))
+import presets  # noqa: E402
+import truth  # noqa: E402
+
+SCENES = {
+    "rebar-20": ("Quasi-static pull of a rebar", "A grouted rebar is pulled until its bond has failed on one side of the joint."),
+    "dbolt-table-steel": ("D-bolt to rupture", "A smooth bar with four anchors stretches between two of them and ruptures."),
+    "angle-dbolt-40": ("Pull and shear", "A D-bolt is pulled at 40° to its axis: hinges form at the joint before it ruptures."),
+    "deep-drift": ("Drift", "Three rows of D-bolts are installed early and late around a drift in 530 blocks at depth."),
+    "burst-dbolt": ("Rockburst", "A slab at a speed of metres per second is stopped by the steel of a D-bolt."),
+    "slope-shaken": ("Wave", "Three pulses of acceleration travel into a slope of seven blocks that slide together."),
+    "incline": ("Slide", "A block slides from rest down a slope of 30° with a friction angle of 20°."),
+    "toppling-block": ("Toppling", "A slender block topples about its lower corner."),
+}
+AXES = {
+    "divisions": "Divisions of the bolts", "time_step": "The time step", "increments": "The number of increments",
+    "penalty_ratio": "The penalty ratio", "contact": "The augmented Lagrangian method", "tolerance": "The tolerance",
+    "iteration": "The classical open–close iteration", "integration": "The scheme of time integration",
+    "sleep_tolerance": "The sleep tolerance", "threads": "The number of threads", "bond": "A brittle bond",
+}
+NOTHING = 2e-4  # a change that is not worth a word
+LARGE = 0.03
+
+
+def measure(arguments):
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    for file in presets.SAMPLES.glob("*.csv"):
+        (arguments.out / file.name).write_bytes(file.read_bytes())
+    for name in arguments.only or SCENES:
+        scene = presets.scene_of(name)
+        path = arguments.out / f"{name}.json"
+        path.write_text(json.dumps(scene), encoding="utf-8")
+        print(name, flush=True)
+        ended = subprocess.run([arguments.program, "trade", path, "--out", arguments.out / name, "--progress", "none",
+                                "--budget", str(arguments.budget)], check=False)
+        if ended.returncode != 0:
+            return ended.returncode
+    return 0
+
+
+def points_of(folder):
+    """The points of a trade in the order in which they were measured: axis, setting, seconds, work, front, errors."""
+    points = {}
+    with open(folder / "trade.csv", encoding="utf-8", newline="") as table:
+        for row in csv.DictReader(table):
+            point = points.setdefault((row["axis"], row["setting"]), {
+                "axis": row["axis"], "setting": row["setting"], "seconds": float(row["wall_s"]),
+                "factorizations": int(row["factorizations"]), "front": row["on_front"] == "1", "errors": {}, "orders": {}})
+            if row["quantity"] != "energy_error":
+                # a quantity with a value in one of two runs only is wrong altogether
+                point["errors"][row["quantity"]] = float(row["error"]) if row["error"] else math.inf
+                point["orders"][row["quantity"]] = row["order"]
+    return list(points.values())
+
+
+def largest(point):
+    return max(point["errors"].items(), key=lambda item: item[1], default=("", 0.0))
+
+
+def name_of(point):
+    if point["axis"] in ("preset", "combination"):
+        return point["setting"]
+    return "scene's own (engineering)" if point["axis"] == "own settings" else f"{point['axis']} {point['setting']}".strip()
+
+
+def percent(share):
+    return "no value" if math.isinf(share) else presets.percent(share)
+
+
+def seconds(value):
+    return f"{value:.2g}" if value < 1 else f"{value:.3g}"
+
+
+def front_table(points):
+    text = presets.row(["settings", "time, s", "largest error", "of"]) + presets.row(["---"] * 4)
+    front = sorted((p for p in points if p["front"]), key=lambda p: p["seconds"])
+    extra = [p for p in points if p["axis"] in ("own settings", "preset") and p not in front]
+    for point in sorted(front + extra, key=lambda p: p["seconds"]):
+        quantity, error = largest(point)
+        shown = quantity if error >= 5e-6 else "–"
+        name = name_of(point) + (" **(front)**" if point["front"] else "")
+        text += presets.row([name, seconds(point["seconds"]), percent(error), shown])
+    return text
+
+
+def finding(axis, points, own):
+    """One sentence on what a setting changes against the scene's own, and what it costs."""
+    changed = {}
+    for point in points:
+        for quantity, error in point["errors"].items():
+            changed[quantity] = max(changed.get(quantity, 0.0), abs(error - own["errors"].get(quantity, 0.0)))
+    quantity, most = max(changed.items(), key=lambda item: item[1], default=("", 0.0))
+    times = sorted(p["seconds"] / own["seconds"] for p in points)
+    cost = f"{times[0]:.2g}" + (f" to {times[-1]:.2g}" if len(times) > 1 else "") + " of the time"
+    settings = ", ".join(p["setting"] for p in points)
+    if most < NOTHING:
+        return f"{AXES[axis]} ({settings}; {cost}): no effect on the results.\n"
+    orders = {p["orders"].get(quantity, "") for p in points} - {"", "no effect"}
+    order = next(iter(orders), "")
+    told = "" if not order else f"; its error is not regular" if order == "not regular" else f"; its error falls with the power {order} of the setting"
+    weight = "changes" if most < LARGE else "decides:"
+    amount = f"{quantity} by up to {percent(most)}" if not math.isinf(most) else f"{quantity} is lost in some runs"
+    return f"{AXES[axis]} ({settings}; {cost}) {weight} {amount}{told}.\n"
+
+
+def findings(points):
+    own = points[0]
+    text = ""
+    for axis in AXES:
+        along = [p for p in points if p["axis"] == axis]
+        if along and axis != "threads":
+            text += "- " + finding(axis, along, own)
+    return text
+
+
+def recommended(page):
+    line = next((line for line in page.splitlines() if line.endswith("(recommended)**")), None)
+    if line is None:
+        return None
+    return line[len("- **"):-len(" (recommended)**")]
+
+
+def section(folder, name):
+    title, what = SCENES[name]
+    points = points_of(folder / name)
+    page = (folder / name / "trade.md").read_text(encoding="utf-8")
+    best = recommended(page)
+    text = f"## {title}\n\nSample `{name}`. {what}\n\n"
+    text += (f"Recommended preset, to quote: **{best}.**\n\n" if best
+             else "No preset keeps all quantities within 3 % of the finest run.\n\n")
+    reference = next((p for p in points if p["axis"] == "reference"), points[0])
+    text += f"{len(points)} runs; errors against {name_of(reference)} ({seconds(reference['seconds'])} s).\n\n"
+    return text + front_table(points) + "\n" + findings(points)
+
+
+PAGE = """<!-- SPDX-FileCopyrightText: The Keyblock contributors -->
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+# Accuracy and time
+
+`keyblock trade SCENE.json --out DIR` and *Run > Measure accuracy and time* run a scene with coarser and finer settings, one at a time and then in combinations, and compare the results with the finest run. Here are eight samples. On the front, no other settings are both faster and more accurate; the presets are listed with it. Errors are the largest of all quantities of interest, and a quantity that only one of two runs has counts as lost. Made by `make trade`; times are CPU times on one thread and depend on the machine.
+
+The samples leave their numerical settings to the preset: time steps, tolerances and, where the bond is given per metre, divisions are removed. The divisions of a bond that is given per node stay, because its strength depends on them.
+
+"""
+
+
+def page(arguments):
+    text = PAGE + "\n".join(section(arguments.folder, name) for name in SCENES if (arguments.folder / name / "trade.csv").exists())
+    arguments.page.write_text(text, encoding="utf-8")
+    if arguments.truth:
+        truth.page(argparse.Namespace(file=arguments.truth, page=arguments.page))
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True)
+    measuring = commands.add_parser("measure")
+    measuring.add_argument("program", type=pathlib.Path)
+    measuring.add_argument("--out", type=pathlib.Path, required=True)
+    measuring.add_argument("--only", nargs="*", choices=SCENES, metavar="NAME")
+    measuring.add_argument("--budget", type=float, default=600.0)
+    measuring.set_defaults(do=measure)
+    writing = commands.add_parser("page")
+    writing.add_argument("folder", type=pathlib.Path)
+    writing.add_argument("page", type=pathlib.Path)
+    writing.add_argument("--truth", type=pathlib.Path)
+    writing.set_defaults(do=page)
+    arguments = parser.parse_args()
+    return arguments.do(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
