@@ -87,9 +87,7 @@ private:
     bool addReference() {
         std::vector<TradeSetting> finest;
         for (const TradeAxis& axis : axes_)
-            if (axis.refines && !axis.settings.empty() &&
-                (axis.ownSize == 0.0 || axis.settings.back().size < axis.ownSize))
-                finest.push_back(axis.settings.back());
+            if (isFiner(axis)) finest.push_back(axis.settings.back());
         if (finest.empty()) return true;
         const std::size_t before = trade_.points.size();
         if (!add(combined(referencePoint, finest))) return false;
@@ -98,18 +96,29 @@ private:
         return true;
     }
 
-    /// Without a run with the finest settings together, the one with most work and unknowns takes its place.
+    /// Without a run with the finest settings together, that with the finest setting of one axis or with the finest
+    /// preset takes its place, whichever has most work and unknowns.
     void chooseReference() {
         const auto effort = [](const TradePoint& point) { return workOf(point.work) * point.unknowns; };
         for (std::size_t i = 1; i < trade_.points.size(); ++i) {
             const TradePoint& point = trade_.points[i];
-            const bool refines = point.axis == presetAxisName ||
-                                 std::any_of(axes_.begin(), axes_.end(), [&](const TradeAxis& axis) {
-                                     return axis.refines && axis.name == point.axis && axis.name != "penalty_ratio";
-                                 });
-            if (refines && point.failure.empty() && effort(point) > effort(trade_.points[trade_.reference]))
+            if (isFinest(point) && point.failure.empty() && effort(point) > effort(trade_.points[trade_.reference]))
                 trade_.reference = static_cast<int>(i);
         }
+    }
+
+    bool isFinest(const TradePoint& point) const {
+        return std::any_of(axes_.begin(), axes_.end(), [&](const TradeAxis& axis) {
+            if (axis.name != point.axis || axis.name == "penalty_ratio" || axis.settings.empty()) return false;
+            const TradeSetting& last = axis.settings.back();
+            return last.text == point.setting && (axis.name == presetAxisName || isFiner(axis));
+        });
+    }
+
+    /// Whether the last setting of an axis refines the scene's own.
+    static bool isFiner(const TradeAxis& axis) {
+        return axis.refines && !axis.settings.empty() &&
+               (axis.ownSize == 0.0 || axis.settings.back().size < axis.ownSize);
     }
 
     bool addAxes() {

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array divisions{15, 30, 60, 120, 240};
 constexpr std::array finerAutomatic{2.0, 4.0};  // times the fineness of the scene's own automatic divisions
-constexpr std::array timeSteps{4.0, 2.0, 0.5, 0.25};  // times the scene's own
+// times the scene's own; half the finest of a preset, so that the error of that one is not taken for zero
+constexpr std::array timeSteps{4.0, 2.0, 0.5, 0.25, 0.125};
 constexpr std::array increments{5, 20, 80};
 constexpr std::array tolerances{1e-3, 1e-4, 1e-5, 1e-6};
 constexpr std::array penalties{0.1, 0.31622776601683794, 3.1622776601683794, 10.0};  // times the scene's own

@@ -43,12 +43,12 @@ TEST(TradeAxes, ChangeTheSceneAsTheirTextsSay) {
     const TradeSetting& divisions = axisNamed(axes, "divisions").settings.front();
     EXPECT_EQ(divisions.overrides, (std::vector<std::string>{"bolts[0].divisions=15", "bolts[1].divisions=15"}));
     const TradeSetting& step = axisNamed(axes, "time_step").settings.back();
-    EXPECT_EQ(step.overrides, (std::vector<std::string>{"stages[0].time_step=0.00025"}));
-    EXPECT_EQ(step.cost, 4.0);
+    EXPECT_EQ(step.overrides, (std::vector<std::string>{"stages[0].time_step=0.000125"}));
+    EXPECT_EQ(step.cost, 8.0);
     Scene changed = scene;
     combined("both", {divisions, step}).apply(changed);
     EXPECT_EQ(changed.bolts[1].divisions, 15);
-    EXPECT_EQ(changed.stages.front().timeStep, 0.00025);
+    EXPECT_EQ(changed.stages.front().timeStep, 0.000125);
     changed.bolts = scene.bolts;
     changed.stages.front().timeStep = scene.stages.front().timeStep;
     EXPECT_EQ(changed, scene);
