@@ -7,7 +7,7 @@
     truth.py page FILE PAGE                      writes the table to its section of a help page
 
 The five scenes are not among those on which the presets were measured; four are samples with other numbers. The true error is the difference from a run that
-is much finer than the reference of the trade: eight times the automatic divisions or 480, an eighth of the automatic time step,
+is much finer than the reference of the trade: eight times the automatic divisions or 480, a sixteenth of the automatic time step,
 160 increments, a tolerance of 1e-7 and a penalty ratio of 1000. Fails if a stated error is not within a factor of two
 of the true one, unless both are below 0.2 %.
 """
@@ -85,7 +85,7 @@ def finer(scene):
     for stage in fine.get("stages", []):
         if stage.get("kind") != "dynamic":
             stage["increments"] = 160
-    fine["analysis"] |= {"time_step_factor": 0.125, "divisions_factor": 8}
+    fine["analysis"] |= {"time_step_factor": 0.0625, "divisions_factor": 8}
     return fine
 
 
@@ -155,7 +155,7 @@ def page(arguments):
     """Replaces the section of the page, or adds it at the end."""
     results = json.loads(arguments.file.read_text(encoding="utf-8"))
     section = TITLE + f"""
-The error that `keyblock trade` states for the preset it recommends, against the true one: five scenes that were not used to measure the presets, and runs much finer than the reference of the trade (eight times the automatic divisions or 480 equal ones, an eighth of the time step, 160 increments, tolerance 1e-7, penalty ratio 1000). *met*: within a factor of two, or both below {100 * SMALL:g} %. Made by `tests/presets/truth.py`.
+The error that `keyblock trade` states for the preset it recommends, against the true one: five scenes that were not used to measure the presets, and runs much finer than the reference of the trade (eight times the automatic divisions or 480 equal ones, a sixteenth of the time step, 160 increments, tolerance 1e-7, penalty ratio 1000). *met*: within a factor of two, or both below {100 * SMALL:g} %. Made by `tests/presets/truth.py`.
 
 | scene | preset | quantity | stated | true | met |
 | --- | --- | --- | --- | --- | --- |

@@ -117,6 +117,7 @@ def finding(axis, points, own):
     orders = {p["orders"].get(quantity, "") for p in points} - {"", "no effect"}
     order = next(iter(orders), "")
     told = "" if not order else f"; its error is not regular" if order == "not regular" else f"; its error falls with the power {order} of the setting"
+    quantity = "the verdict on stability" if quantity == "stands" else quantity
     weight = "changes" if most < LARGE else "decides:"
     amount = f"{quantity} by up to {percent(most)}" if not math.isinf(most) else f"{quantity} is lost in some runs"
     return f"{AXES[axis]} ({settings}; {cost}) {weight} {amount}{told}.\n"
@@ -145,6 +146,8 @@ def section(folder, name):
     page = (folder / name / "trade.md").read_text(encoding="utf-8")
     best = recommended(page)
     text = f"## {title}\n\nSample `{name}`. {what}\n\n"
+    if "interrupted before all runs were made" in page:
+        text += "This trade was not finished: `make trade` finishes it.\n\n"
     text += (f"Recommended preset, to quote: **{best}.**\n\n" if best
              else "No preset keeps all quantities within 3 % of the finest run.\n\n")
     reference = next((p for p in points if p["axis"] == "reference"), points[0])
