@@ -12,6 +12,7 @@ import argparse
 import csv
 import json
 import math
+import re
 import pathlib
 import subprocess
 import sys
@@ -145,13 +146,20 @@ def section(folder, name):
     points = points_of(folder / name)
     page = (folder / name / "trade.md").read_text(encoding="utf-8")
     best = recommended(page)
+    if re.search(r"the finest settings \(own settings", page):  # its own error is unknown
+        best = None
     text = f"## {title}\n\nSample `{name}`. {what}\n\n"
     if "interrupted before all runs were made" in page:
         text += "This trade was not finished: `make trade` finishes it.\n\n"
     text += (f"Recommended preset, to quote: **{best}.**\n\n" if best
              else "No preset keeps all quantities within 3 % of the finest run.\n\n")
-    reference = next((p for p in points if p["axis"] == "reference"), points[0])
-    text += f"{len(points)} runs; errors against {name_of(reference)} ({seconds(reference['seconds'])} s).\n\n"
+    against = re.search(r"the finest settings \((.*); ([^;]*) s\)", page)
+    text += f"{len(points)} runs; errors against {against[1]} ({seconds(float(against[2]))} s)."
+    left = page.count(": not run; ")
+    if left:
+        text += f" {left} runs were left out for their time" + (
+            "." if against[1].startswith("reference:") else ", so that errors are against the finest of those made.")
+    text += "\n\n"
     return text + front_table(points) + "\n" + findings(points)
 
 

@@ -34,10 +34,10 @@ constexpr std::array arrangements{Arrangement::Drawing, Arrangement::Results, Ar
 const Groups& groupsOf(Arrangement arrangement) {
     static const Groups none;
     if (arrangement == Arrangement::Studies) return none;
-    static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
+    static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock", "stressDock"}};
     static const Groups results{
         {"stripDock"},
-        {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock", "stressDock"},
+        {"curvesDock", "energyDock", "quantitiesDock", "safetyDock", "accuracyDock"},
         {"stabilityDock", "healthDock", "eventsDock", "runsDock", "logDock"}};
     return arrangement == Arrangement::Drawing ? drawing : results;
 }
