@@ -121,8 +121,8 @@ kills: packages
 mutations:
 	@sh resources/install/debian.sh readers
 	@cmake --preset asan --log-level=WARNING
-	@cmake --build --preset asan --target solver_tests
-	KEYBLOCK_MUTATIONS=$(or $(COUNT),2000) build/asan/tests/solver_tests --gtest_filter='CheckpointCheck.*AtRandom'
+	@cmake --build --preset asan --target checkpoint_mutations
+	KEYBLOCK_MUTATIONS=$(or $(COUNT),2000) build/asan/tests/checkpoint_mutations --gtest_filter='CheckpointCheck.*AtRandom'
 
 flips: packages
 	$(call build,release)

@@ -38,7 +38,7 @@ void printLeftOut(const Trade& trade) {
 std::string answer(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
     const std::string most = shown(100.0 * recommendedError) + " %";
-    if (best < 0) return "no settings give all quantities within " + most + " of the finest run\n";
+    if (best < 0) return "no settings are recommended: " + withoutRecommendation(trade, recommendedError) + "\n";
     std::string text = "recommended, within " + most + " of the finest run:\n" + sentenceOn(trade, best) + "\n";
     for (const std::string& set : trade.points[best].overrides) text += "  --set " + set + "\n";
     if (const int preset = recommendedPreset(trade, recommendedError); preset >= 0 && preset != best)

@@ -70,12 +70,13 @@ double signedError(double value, double reference) {
     return reference == 0.0 ? value : (value - reference) / std::abs(reference);
 }
 
-/// The fastest of some points with an error of at most `most`; −1 if there is none.
+/// The fastest of some points with an error of at most `most`, without the reference, whose own error is unknown; −1 if
+/// there is none.
 template <typename Choice>
 int fastest(const Trade& trade, double most, const Choice& isChosen) {
     int best = -1;
     for (std::size_t i = 0; i < trade.points.size(); ++i) {
-        if (!isChosen(trade.points[i])) continue;
+        if (static_cast<int>(i) == trade.reference || !isChosen(trade.points[i])) continue;
         const bool good = largestError(trade.points[i], trade.points[trade.reference], trade.quantities) <= most;
         if (good && (best < 0 || trade.points[i].seconds < trade.points[best].seconds)) best = static_cast<int>(i);
     }
@@ -151,10 +152,14 @@ int recommendedPreset(const Trade& trade, double most) {
     const TradePoint &own = trade.points.front(), &reference = trade.points[trade.reference];
     const bool ownIsGood = largestError(own, reference, trade.quantities) <= most;
     return fastest(trade, most, [&](const TradePoint& point) {
-        // in place of a run with the finest settings its own error is unknown
-        if (&point == &reference && point.axis == presetAxisName) return false;
         return isPreset(point) && (!ownIsGood || point.axis == ownPoint || isCheaper(point, own));
     });
+}
+
+std::string withoutRecommendation(const Trade& trade, double most) {
+    if (trade.reference == 0)
+        return "nothing finer than the scene's own settings was run, so that their error is unknown";
+    return "none of the settings gives all quantities within " + rounded(100.0 * most) + " % of the finest run";
 }
 
 std::string nameOf(const TradePoint& point) {

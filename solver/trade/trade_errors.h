@@ -32,7 +32,8 @@ ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, s
 /// Whether no other point is both faster and closer to the reference.
 bool isOnFront(const Trade& trade, std::size_t point);
 
-/// The fastest point with an error of at most `most`; −1 if there is none.
+/// The fastest point with an error of at most `most`; −1 if there is none. The reference is never recommended: its own
+/// error is unknown.
 int recommendedPoint(const Trade& trade, double most);
 
 /// Whether a run took less time than that with the scene's own settings, by more than times vary from run to run, and not
@@ -42,8 +43,12 @@ bool isCheaper(const TradePoint& point, const TradePoint& own);
 /// Whether the point was measured with a preset, the scene's own included.
 bool isPreset(const TradePoint& point);
 
-/// The fastest preset with an error of at most `most`, the scene's own unless another is cheaper; −1 if there is none.
+/// The fastest preset with an error of at most `most`, the scene's own unless another is cheaper; −1 if there is none. The
+/// reference is never recommended.
 int recommendedPreset(const Trade& trade, double most);
+
+/// Why none of the settings is recommended, as part of a sentence.
+std::string withoutRecommendation(const Trade& trade, double most);
 
 /// One sentence on a point, to quote: how much faster than the scene's own settings, for a preset by the name of the
 /// scene's own, and the largest errors.

@@ -111,7 +111,7 @@ std::string failures(const Trade& trade) {
 std::string presetSection(const Trade& trade) {
     std::string text = "\n## Presets\n\n";
     const int best = recommendedPreset(trade, recommendedError);
-    if (best < 0) text += "No preset gives all quantities within " + rounded(100.0 * recommendedError) + " %.\n\n";
+    if (best < 0) text += "No preset is recommended: " + withoutRecommendation(trade, recommendedError) + ".\n\n";
     for (const std::size_t i : byTime(trade)) {
         if (!isPreset(trade.points[i])) continue;
         const std::string sentence = sentenceOn(trade, i);
@@ -123,7 +123,7 @@ std::string presetSection(const Trade& trade) {
 std::string recommendation(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
     const std::string most = rounded(100.0 * recommendedError) + " %";
-    if (best < 0) return "No settings give all quantities within " + most + " of the reference.\n";
+    if (best < 0) return "No settings are recommended: " + withoutRecommendation(trade, recommendedError) + ".\n";
     const TradePoint& point = trade.points[best];
     std::string text = "**" + sentenceOn(trade, best) +
                        ".**\n\nThese are the fastest settings with all quantities within " + most + " of the reference";

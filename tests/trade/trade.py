@@ -146,13 +146,12 @@ def section(folder, name):
     points = points_of(folder / name)
     page = (folder / name / "trade.md").read_text(encoding="utf-8")
     best = recommended(page)
-    if re.search(r"the finest settings \(own settings", page):  # its own error is unknown
-        best = None
+    without = re.search(r"No preset is recommended: .*", page)
     text = f"## {title}\n\nSample `{name}`. {what}\n\n"
     if "interrupted before all runs were made" in page:
         text += "This trade was not finished: `make trade` finishes it.\n\n"
     text += (f"Recommended preset, to quote: **{best}.**\n\n" if best
-             else "No preset keeps all quantities within 3 % of the finest run.\n\n")
+             else f"{without[0]}\n\n")
     against = re.search(r"the finest settings \((.*); ([^;]*) s\)", page)
     text += f"{len(points)} runs; errors against {against[1]} ({seconds(float(against[2]))} s)."
     left = page.count(": not run; ")

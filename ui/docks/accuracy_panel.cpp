@@ -102,7 +102,9 @@ QString AccuracyPanel::answer() const {
             .arg(QString::fromStdString(trade.points.front().failure));
     const int best = recommendedPreset(trade, recommendedError);
     const QString most = Display::number(100.0 * recommendedError, 2);
-    if (best < 0) return tr("No preset gives all quantities within %1 % of the finest run.").arg(most);
+    if (best < 0)
+        return tr("No preset is recommended: %1.")
+            .arg(QString::fromStdString(withoutRecommendation(trade, recommendedError)));
     return tr("Recommended, within %1 % of the finest run: %2")
         .arg(most, QString::fromStdString(sentenceOn(trade, static_cast<std::size_t>(best))));
 }

@@ -100,6 +100,21 @@ TEST(TradeFront, RecommendsTheFastestThatIsCloseEnough) {
     EXPECT_EQ(sentenceOn(trade, 2), "time_step 2.000000: 2 × faster than the scene's own settings, last crown.u +40 %");
 }
 
+/// Without a finer run the error of the scene's own settings is unknown; coarser ones can still be compared with them.
+TEST(TradeFront, DoesNotRecommendTheReference) {
+    Trade trade = squareTrade();
+    trade.points.resize(1);
+    trade.reference = 0;
+    EXPECT_EQ(recommendedPoint(trade, 0.03), -1);
+    EXPECT_EQ(recommendedPreset(trade, 0.03), -1);
+    EXPECT_NE(withoutRecommendation(trade, 0.03).find("nothing finer"), std::string::npos);
+    trade.points.push_back(point("time_step", 2.0, 2.0, 11.1));
+    EXPECT_EQ(recommendedPoint(trade, 0.03), 1);
+    const Trade square = squareTrade();
+    EXPECT_EQ(recommendedPoint(square, 0.001), -1);
+    EXPECT_NE(withoutRecommendation(square, 0.001).find("within 0.1 % of the finest run"), std::string::npos);
+}
+
 /// A preset that takes `seconds` and `factorizations`, with an error of `error` in a quantity of 10.
 TradePoint presetPoint(const std::string& name, double seconds, long factorizations, double error) {
     TradePoint result = point(presetAxisName, 0.0, seconds, 10.0 * (1.0 + error));
