@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr const char* opening =
+constexpr const char* introduction =
     R"(<!-- SPDX-FileCopyrightText: The Keyblock contributors -->
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 # Limits
@@ -205,7 +205,7 @@ std::string limitsPage(const std::vector<ExtremeCaseRuns>& cases, const std::vec
         if (found == axes.end()) axes.push_back({one.one.axis, {&one}});
         else found->second.push_back(&one);
     }
-    std::string text = opening + countsTable(cases, random) + sceneTable(cases);
+    std::string text = introduction + countsTable(cases, random) + sceneTable(cases);
     for (const auto& [title, each] : axes) text += axisSection(title, each);
     return text + randomSection(random);
 }
