@@ -88,7 +88,7 @@ TEST(Remove, DeletesDependentObjects) {
     EXPECT_EQ(edit.scene.monitors.back().name, "B1 force");
     EXPECT_EQ(edit.scene.quantities.size(), 4u);
     EXPECT_EQ(edit.scene.quantities.back(), "count debonding") << "names nothing";
-    EXPECT_EQ(edit.scene.about.expected.size(), 3u);
+    EXPECT_EQ(edit.scene.about.expected.size(), 4u);
     EXPECT_EQ(edit.pointers.now("/monitors/4"), "/monitors/3");
     EXPECT_FALSE(edit.pointers.now("/monitors/3"));
     EXPECT_FALSE(edit.pointers.now("/bolt_patterns/0/spacing"));
