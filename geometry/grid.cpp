@@ -58,7 +58,8 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
 
 std::int64_t BoxGrid::cellIndex(double offset, double cell) const {
     constexpr double farthest = 4e18;  // keeps the index of a query far outside within the integer range
-    return static_cast<std::int64_t>(std::clamp(std::floor(offset / cell), -farthest, farthest));
+    const double index = std::floor(offset / cell);  // not a number where positions of a failing run are none
+    return static_cast<std::int64_t>(std::isnan(index) ? farthest : std::clamp(index, -farthest, farthest));
 }
 
 /// Visits all boxes in the cells that can contain boxes meeting `box`.

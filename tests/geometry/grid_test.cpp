@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace keyblock {
@@ -88,6 +89,14 @@ TEST(BoxGrid, AnswersForAnyBox) {
             if (meets(boxes[i], query)) expected.push_back(static_cast<int>(i));
         EXPECT_EQ(grid.meeting(query), expected);
     }
+}
+
+/// A run that fails may ask with positions that are not numbers.
+TEST(BoxGrid, FindsNothingWhereABoxHasNoPlace) {
+    const BoxGrid grid(scattered(30, 2.0, {0, 0}));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(grid.meeting({{none, none}, {none, none}}).empty());
+    EXPECT_TRUE(grid.meeting({{none, 0}, {10, none}}).empty());
 }
 
 }  // namespace
