@@ -66,7 +66,7 @@ void fitRows(QTreeWidget* tree, bool leavesRoom) {
     tree->setMaximumHeight(leavesRoom ? heightWith(tree, rows) : QWIDGETSIZE_MAX);
 }
 
-QString percent(const std::optional<double>& use) {
+QString utilisationText(const std::optional<double>& use) {
     if (!use) return QStringLiteral("–");
     const double shown = 100.0 * *use;
     return Display::number(shown, shown < 10.0 ? 2 : 3);
@@ -214,13 +214,13 @@ void StabilityPanel::fillBolts() {
         const BoltExtremes& peaks = use.extremes;
         const double axial = peaks.axialForce.value;
         const BoltEnd& end = ends_[use.bolt];
-        const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
+        const auto share = [&](BoltStrength strength) {
+            return utilisationText(use.use[static_cast<std::size_t>(strength)]);
+        };
         QTreeWidgetItem* row = addRow(
             bolts_,
-            {QString::fromStdString(boltName(run_->scene(), use.bolt)),
-             qt(wordOf(end.condition)),
-             use.governs ? tr("%1 %2 %").arg(qt(rowOf(*use.governs).key),
-                                             percent(use.highest()))
+            {QString::fromStdString(boltName(run_->scene(), use.bolt)), qt(wordOf(end.condition)),
+             use.governs ? tr("%1 %2 %").arg(qt(rowOf(*use.governs).key), utilisationText(use.highest()))
                          : QStringLiteral("–"),
              namesOf(use.holds), peakText(peaks.axialForce, "N", axial), peakText(peaks.shearForce, "N", axial),
              peakText(peaks.moment, "N m", axial), share(BoltStrength::Steel), share(BoltStrength::Shear),
