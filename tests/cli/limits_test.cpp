@@ -7,10 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sys/resource.h>
-
 #include <cstdlib>
-#include <optional>
 
 namespace keyblock::test {
 namespace {
@@ -105,36 +102,14 @@ TEST_F(EarlyEnds, NoVerdictIsExitCodeFive) {
     EXPECT_EQ(info("rest.kbrun").at("verdict").at("stands"), nullptr);
 }
 
-/// A limit of the address space while this exists; programs that are started inherit it.
-class AddressSpace {
-public:
-    explicit AddressSpace(rlim_t bytes) {
-        ::getrlimit(RLIMIT_AS, &usual_);
-        rlimit limit = usual_;
-        limit.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_AS, &limit);
-    }
-    ~AddressSpace() { ::setrlimit(RLIMIT_AS, &usual_); }
-    AddressSpace(const AddressSpace&) = delete;
-    AddressSpace& operator=(const AddressSpace&) = delete;
-
-private:
-    rlimit usual_{};
-};
-
 /// With little memory a run ends, right or with a message, and does not wait for more.
 TEST_F(EarlyEnds, AnAddressSpaceThatIsTooSmallEndsInWords) {
     if (std::getenv("ASAN_OPTIONS")) GTEST_SKIP() << "the address sanitizer needs a larger one";
     put("rest.json", contentOf(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json"));  // its matrices need OpenBLAS
     int right = 0;
-    for (const rlim_t megabytes : {150, 220, 280, 400}) {
-        std::optional<Program> program;
-        {
-            const AddressSpace limit(megabytes << 20);
-            program.emplace(std::vector<std::string>{"run", "rest.json", "--overwrite", "--set", "limits.steps=1"},
-                            folder());
-        }
-        const Ended ended = program->wait();
+    for (const std::size_t megabytes : {150, 220, 280, 400}) {
+        Program program({"run", "rest.json", "--overwrite", "--set", "limits.steps=1"}, folder(), {}, megabytes << 20);
+        const Ended ended = program.wait();
         right += ended.code == 5;
         EXPECT_TRUE(ended.code == 5 || !ended.err.empty()) << megabytes << " MB";
         EXPECT_EQ(ended.err.find("internal"), std::string::npos) << ended.err;

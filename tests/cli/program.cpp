@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,6 +24,11 @@ void redirect(int descriptor, const fs::path& file) {
     ::dup2(opened, descriptor);
 }
 
+void limitAddressSpace(std::size_t bytes) {
+    const rlimit limit{bytes, bytes};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(125);
+}
+
 [[noreturn]] void become(const std::vector<std::string>& words) {
     std::vector<char*> arguments{const_cast<char*>(KEYBLOCK_PROGRAM)};
     for (const std::string& word : words)
@@ -35,7 +41,7 @@ void redirect(int descriptor, const fs::path& file) {
 }  // namespace
 
 Program::Program(const std::vector<std::string>& words, const fs::path& folder,
-                 const std::map<std::string, std::string>& environment) {
+                 const std::map<std::string, std::string>& environment, std::optional<std::size_t> addressSpace) {
     static int count = 0;
     const std::string stem = "keyblock-cli-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
     out_ = fs::temp_directory_path() / (stem + ".out");
@@ -49,6 +55,7 @@ Program::Program(const std::vector<std::string>& words, const fs::path& folder,
     redirect(STDERR_FILENO, err_);
     if (::chdir(folder.c_str()) != 0)
         ::_exit(126);
+    if (addressSpace) limitAddressSpace(*addressSpace);
     become(words);
 }
 

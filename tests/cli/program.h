@@ -4,8 +4,10 @@
 // Runs the program as a shell would: words in; output, errors and exit code out.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,12 @@ struct Ended {
 /// A started program; its output is kept in files of a scratch folder until it ends.
 class Program {
 public:
-    /// Starts the program with these words, in this folder, with these variables added to the environment.
+    /// Starts the program with these words, in this folder, with these variables added to the environment and with this
+    /// limit of its address space [bytes]. The limit is not set in the test: a thread of OpenBLAS that has not got its
+    /// buffer yet would then ask for it for ever, and `fork` waits for the end of such threads.
     Program(const std::vector<std::string>& words, const std::filesystem::path& folder,
-            const std::map<std::string, std::string>& environment = {});
+            const std::map<std::string, std::string>& environment = {},
+            std::optional<std::size_t> addressSpace = std::nullopt);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
