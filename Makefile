@@ -124,7 +124,8 @@ mutations:
 	@cmake --build --preset asan --target checkpoint_mutations
 	KEYBLOCK_MUTATIONS=$(or $(COUNT),2000) build/asan/tests/checkpoint_mutations --gtest_filter='CheckpointCheck.*AtRandom'
 
-flips: packages
+flips:
+	@sh resources/install/debian.sh python3-xxhash
 	$(call build,release)
 	build/release/keyblock run samples/drop-d-bolt.json --overwrite --out build/release/flips.kbrun
 	/usr/bin/python3 tests/flips/flips.py build/release/keyblock build/release/flips.kbrun --flips $(or $(COUNT),200)

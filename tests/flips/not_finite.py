@@ -25,6 +25,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
+import xxhash
+
 VALUES = [math.nan, math.inf, -math.inf, 1e308, -1e308, 5e-324]
 PLACES = [("blocks", "x"), ("blocks", "uy"), ("blocks", "sxx"), ("corners", "x"), ("contacts", "normal_force"),
           ("nodes", "axial_force"), ("nodes", "slip"), ("bolt_extremes", "axial_force"), ("history", None)]
@@ -35,7 +37,7 @@ BAD_NUMBER = re.compile(r"""[ ,"(]-?(nan|inf)\b""", re.IGNORECASE)
 
 
 def checksum(values):
-    """FNV-1a hash of a row, as the help page on run stores describes it."""
+    """XXH3 hash of a row, as the help page on run stores describes it."""
     data = b""
     for position, value in enumerate(values):
         if value is None:
@@ -47,9 +49,7 @@ def checksum(values):
         else:
             value = value.encode() if isinstance(value, str) else value
             data += struct.pack("<II", position, len(value)) + value
-    total = 0xCBF29CE484222325
-    for byte in data:
-        total = (total ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
+    total = xxhash.xxh3_64_intdigest(data)
     return total - 2**64 if total >= 2**63 else total
 
 

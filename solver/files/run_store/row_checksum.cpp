@@ -4,7 +4,9 @@
 
 #include "solver/files/run_store/sqlite.h"
 
+#define XXH_STATIC_LINKING_ONLY  // for the size of a state, so that it needs no heap
 #include <sqlite3.h>
+#include <xxhash.h>
 
 #include <bit>
 #include <cstddef>
@@ -14,72 +16,89 @@ namespace keyblock::sqlite {
 
 namespace {
 
-class Fnv1a {
+class Hash {
 public:
-    void add(const void* bytes, std::size_t size) {
-        const auto* byte = static_cast<const unsigned char*>(bytes);
-        for (const auto* end = byte + size; byte != end; ++byte) hash_ = (hash_ ^ *byte) * prime;
+    Hash() { XXH3_64bits_reset(&state_); }
+    void addNumber(int position, std::uint64_t number) {
+        const struct {
+            std::uint32_t position, size;
+            std::uint64_t number;
+        } value{static_cast<std::uint32_t>(position), sizeof number, number};
+        add(&value, sizeof value);
     }
-    /// Adds a number byte by byte, from the least significant one.
-    template <typename Number>
-    void addNumber(Number number) {
-        for (std::size_t byte = 0; byte < sizeof number; ++byte)
-            hash_ = (hash_ ^ (number >> (8 * byte) & 0xFF)) * prime;
+    void addBytes(int position, const void* bytes, int size) {
+        const std::uint32_t head[] = {static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(size)};
+        add(head, sizeof head);
+        if (size > 0) add(bytes, static_cast<std::size_t>(size));
     }
-    std::uint64_t hash() const { return hash_; }
+    std::int64_t value() const { return static_cast<std::int64_t>(XXH3_64bits_digest(&state_)); }
 
 private:
-    static constexpr std::uint64_t prime = 0x100000001B3;
-    std::uint64_t hash_ = 0xCBF29CE484222325;
+    void add(const void* bytes, std::size_t size) { XXH3_64bits_update(&state_, bytes, size); }
+
+    XXH3_state_t state_;
 };
 
-void addSizes(Fnv1a& sum, int position, std::size_t size) {
-    sum.addNumber(static_cast<std::uint32_t>(position));
-    sum.addNumber(static_cast<std::uint32_t>(size));
-}
+/// An argument of the SQL function.
+struct Argument {
+    sqlite3_value* value;
 
-void addNumber(Fnv1a& sum, int position, std::uint64_t number) {
-    addSizes(sum, position, sizeof number);
-    sum.addNumber(number);
-}
+    int type() const { return sqlite3_value_type(value); }
+    std::int64_t integer() const { return sqlite3_value_int64(value); }
+    double real() const { return sqlite3_value_double(value); }
+    const void* text() const { return sqlite3_value_text(value); }
+    const void* blob() const { return sqlite3_value_blob(value); }
+    int size() const { return sqlite3_value_bytes(value); }
+};
 
-void addBytes(Fnv1a& sum, int position, const void* bytes, int size) {
-    addSizes(sum, position, static_cast<std::size_t>(size));
-    if (bytes) sum.add(bytes, static_cast<std::size_t>(size));
-}
+/// A column of the current row of a statement.
+struct Column {
+    sqlite3_stmt* row;
+    int column;
 
-void rowChecksum(sqlite3_context* context, int count, sqlite3_value** values) {
-    Fnv1a sum;
-    for (int i = 0; i < count; ++i) {
-        sqlite3_value* const value = values[i];
-        switch (sqlite3_value_type(value)) {
-            case SQLITE_NULL: break;
-            case SQLITE_INTEGER: addNumber(sum, i, static_cast<std::uint64_t>(sqlite3_value_int64(value))); break;
-            case SQLITE_FLOAT:  // SQLite stores -0.0 as 0
-                addNumber(sum, i, std::bit_cast<std::uint64_t>(sqlite3_value_double(value) + 0.0));
-                break;
-            case SQLITE_TEXT: {
-                const void* text = sqlite3_value_text(value);  // converts the value; the size is valid only after this call
-                addBytes(sum, i, text, sqlite3_value_bytes(value));
-                break;
-            }
-            default: {
-                const void* blob = sqlite3_value_blob(value);
-                addBytes(sum, i, blob, sqlite3_value_bytes(value));
-                break;
-            }
+    int type() const { return sqlite3_column_type(row, column); }
+    std::int64_t integer() const { return sqlite3_column_int64(row, column); }
+    double real() const { return sqlite3_column_double(row, column); }
+    const void* text() const { return sqlite3_column_text(row, column); }
+    const void* blob() const { return sqlite3_column_blob(row, column); }
+    int size() const { return sqlite3_column_bytes(row, column); }
+};
+
+template <typename Value>
+void add(Hash& hash, int position, const Value& value) {
+    switch (value.type()) {
+        case SQLITE_NULL: break;
+        case SQLITE_INTEGER: hash.addNumber(position, static_cast<std::uint64_t>(value.integer())); break;
+        case SQLITE_FLOAT:  // SQLite stores -0.0 as 0
+            hash.addNumber(position, std::bit_cast<std::uint64_t>(value.real() + 0.0));
+            break;
+        default: {
+            // Reading converts the value; the size is valid only after that.
+            const void* const bytes = value.type() == SQLITE_TEXT ? value.text() : value.blob();
+            hash.addBytes(position, bytes, value.size());
         }
     }
-    sqlite3_result_int64(context, static_cast<sqlite3_int64>(sum.hash()));
+}
+
+void rowChecksumFunction(sqlite3_context* context, int count, sqlite3_value** values) {
+    Hash hash;
+    for (int i = 0; i < count; ++i) add(hash, i, Argument{values[i]});
+    sqlite3_result_int64(context, hash.value());
 }
 
 }  // namespace
 
 void addRowChecksum(sqlite3* connection) {
     constexpr int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY;
-    const int code = sqlite3_create_function_v2(connection, "row_checksum", -1, flags, nullptr, rowChecksum, nullptr,
-                                                nullptr, nullptr);
+    const int code = sqlite3_create_function_v2(connection, "row_checksum", -1, flags, nullptr, rowChecksumFunction,
+                                                nullptr, nullptr, nullptr);
     if (code != SQLITE_OK) throw Error(code, sqlite3_errmsg(connection));
+}
+
+std::int64_t rowChecksum(sqlite3_stmt* row, int columns) {
+    Hash hash;
+    for (int i = 0; i < columns; ++i) add(hash, i, Column{row, i});
+    return hash.value();
 }
 
 }  // namespace keyblock::sqlite

@@ -12,7 +12,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Version of the store; increases with every change that an older program would misread.
-inline constexpr int version = 11;
+inline constexpr int version = 12;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL, checksum INTEGER);
@@ -72,6 +72,6 @@ inline constexpr const char* layout =
     "time. A stage without an outcome never ended. Table checkpoint is internal: the state from which an unfinished "
     "run can be resumed, by the same build only. SI units; times are within the stage. Row key scene of table about is "
     "the scene as JSON with its records inside, scene_hash its SHA-256. checksum guards the other columns of its row "
-    "(of a frame, those without BLOBs; payload_checksum those with BLOBs): a 64-bit FNV-1a hash.";
+    "(of a frame, those without BLOBs; payload_checksum those with BLOBs): the hash XXH3 (64 bits).";
 
 }  // namespace keyblock::run_schema

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Doubles are stored byte by byte in little-endian order on every machine.
+// Doubles are stored as they are in memory, on machines whose byte order is that of a
+// run store.
 #include "solver/files/run_store/sqlite.h"
 
 #include "solver/files/run_store/row_checksum.h"
@@ -11,11 +12,14 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cstring>
 #include <limits>
 
 namespace keyblock::sqlite {
 
 namespace {
+
+static_assert(std::endian::native == std::endian::little);  // here and in row_checksum.cpp
 
 constexpr std::chrono::seconds busyWait{5};
 constexpr int progressEvery = 10000;  // instructions of SQLite's virtual machine
@@ -75,24 +79,6 @@ void distrustSchema(sqlite3* handle) {
                              SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION})
         sqlite3_db_config(handle, option, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-}
-
-std::vector<unsigned char> packed(std::span<const double> values) {
-    std::vector<unsigned char> bytes;
-    bytes.reserve(values.size() * sizeof(double));
-    for (const double value : values) {
-        const auto bits = std::bit_cast<std::uint64_t>(value);
-        for (int shift = 0; shift < 64; shift += 8)
-            bytes.push_back(static_cast<unsigned char>(bits >> shift));
-    }
-    return bytes;
-}
-
-double unpacked(const unsigned char* bytes) {
-    std::uint64_t bits = 0;
-    for (int byte = 7; byte >= 0; --byte)
-        bits = bits << 8 | bytes[byte];
-    return std::bit_cast<double>(bits);
 }
 
 }  // namespace
@@ -159,11 +145,8 @@ Statement& Statement::bind(std::string_view text) {
 }
 
 Statement& Statement::bind(std::span<const double> values) {
-    const std::vector<unsigned char> bytes = packed(values);
-    if (bytes.empty())
-        check(sqlite3_bind_zeroblob(statement_.get(), ++bound_, 0));
-    else
-        check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+    if (values.empty()) check(sqlite3_bind_zeroblob(statement_.get(), ++bound_, 0));
+    else check(sqlite3_bind_blob64(statement_.get(), ++bound_, values.data(), values.size_bytes(), SQLITE_TRANSIENT));
     return *this;
 }
 
@@ -206,15 +189,15 @@ std::string Statement::bytes(int column) const {
 
 bool Statement::isNull(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
 
+std::int64_t Statement::checksum(int columns) const { return rowChecksum(statement_.get(), columns); }
+
 std::optional<std::vector<double>> Statement::doubles(int column) const {
-    const auto* bytes = static_cast<const unsigned char*>(sqlite3_column_blob(statement_.get(), column));
+    const void* bytes = sqlite3_column_blob(statement_.get(), column);
     const std::size_t size = sqlite3_column_bytes(statement_.get(), column);
     if (size % sizeof(double) != 0)
         return std::nullopt;
-    std::vector<double> values;
-    values.reserve(size / sizeof(double));
-    for (std::size_t at = 0; at < size; at += sizeof(double))
-        values.push_back(unpacked(bytes + at));
+    std::vector<double> values(size / sizeof(double));
+    if (size > 0) std::memcpy(values.data(), bytes, size);
     return values;
 }
 

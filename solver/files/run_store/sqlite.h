@@ -84,6 +84,8 @@ public:
     std::string text(int column) const;
     std::string bytes(int column) const;
     bool isNull(int column) const;
+    /// Checksum of the first columns of the row (row_checksum.h).
+    std::int64_t checksum(int columns) const;
     /// The numbers in a BLOB column; none if the size of the BLOB is not a multiple of the size of a double.
     std::optional<std::vector<double>> doubles(int column) const;
 

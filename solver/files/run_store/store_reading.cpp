@@ -145,12 +145,12 @@ void requireRunStore(const sqlite::Database& database, const fs::path& path) {
 }
 
 std::string selectChecked(const std::string& columns, const std::string& rest, const char* checksum) {
-    return "SELECT " + columns + ", " + checksum + " = row_checksum(" + columns + ") " + rest;
+    return "SELECT " + columns + ", " + checksum + " " + rest;
 }
 
 bool nextChecked(sqlite::Statement& rows, int columns) {
     if (!rows.next()) return false;
-    if (rows.integer(columns) != 1) throw sqlite::Error(SQLITE_CORRUPT, "wrong checksum");
+    if (rows.integer(columns) != rows.checksum(columns)) throw sqlite::Error(SQLITE_CORRUPT, "wrong checksum");
     return true;
 }
 

@@ -42,7 +42,7 @@ void requireRunStore(const sqlite::Database& database, const std::filesystem::pa
 /// The value stored under `key` in the table `about`.
 std::string aboutValue(const sqlite::Database& database, std::string_view key);
 
-/// SQL that selects `columns`, a list of run_schema.h, and in the column after them whether the checksum is right.
+/// SQL that selects `columns`, a list of run_schema.h, and in the column after them their checksum.
 std::string selectChecked(const std::string& columns, const std::string& rest, const char* checksum = "checksum");
 
 /// Steps to the next row of a statement made by `selectChecked` and checks it.
