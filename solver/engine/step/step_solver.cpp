@@ -26,6 +26,10 @@ constexpr int mostSweeps = 8, mostUseless = 2;
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
 constexpr double farFromBalance = 1e-2;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
+// Fraction of a flat bolt law's secant that counts as its tangent after a line search has stalled: at first, and the
+// factors after a further stall and after a full step. Below the least fraction it is left out.
+constexpr double firstFirmness = 1e-3, firmer = 10.0, softer = 0.1, leastFirmness = 1e-4;
+constexpr double nearlyFull = 0.8;  // step length from which the fraction is reduced
 constexpr double leastHold = 1e-6;  // fraction of a law's stiffness, used if nothing restrains a body
 
 std::vector<double> limitsOf(const StepProblem& problem) {
@@ -59,7 +63,7 @@ public:
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
-        while (report_.passes <= settings_.maxPasses && !over()) {
+        while (!over() && report_.passes <= mostPasses()) {
             iterate();
             ++report_.passes;
         }
@@ -88,6 +92,21 @@ private:
             judge();
         }
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
+    }
+
+    /// Hinges and crushing rock may change their states one after the other; while they keep Newton's method from full
+    /// steps, each of them allows one more iteration.
+    int mostPasses() const {
+        if (firmness_ == 0.0) return settings_.maxPasses;
+        int flat = 0;
+        for (std::size_t i = 0; i < rows_.count(); ++i) flat += isFlat(i);
+        return settings_.maxPasses + flat;
+    }
+
+    /// True for a hinge or crushing rock beyond its limit.
+    bool isFlat(std::size_t i) const {
+        const Law& law = problem_.links[i].law;
+        return law.leastTangent > 0.0 && trial_.laws[i].tangent < law.stiffness;
     }
 
     bool maySweep() const { return tries_ < mostSweeps && report_.passes >= settings_.sweepsFrom; }
@@ -162,10 +181,12 @@ private:
         };
         const std::vector<double> limits = limitsOf(problem_);
         go(1.0);
-        if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance)) return;
+        if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance))
+            return adaptFirmness(1.0);
         setLimits(problem_, limits);
         const double length = lineSearch(problem_, from, direction.displacement, rates, direction.coupled);
         if (length < 1.0) go(length);
+        adaptFirmness(length);
         double best = length, least = report_.residual;
         const bool mayCircle = direction.slides && report_.passes >= patience;
         for (double shorter = 0.5; mayCircle && least > before && shorter > shortest; shorter *= 0.5) {
@@ -177,6 +198,22 @@ private:
         if ((length >= stall && !strays) || !maySweep()) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
+    }
+
+    /// The tangent of a flat law says nothing of where its force will change again: with it alone, Newton's method
+    /// overshoots a thousandfold and the line search stalls. The secant bounds the law's potential from above, so that
+    /// steps become short enough, but many; hence a fraction of it is used, which follows the step lengths.
+    void adaptFirmness(double length) {
+        if (length < stall) firmness_ = std::min(1.0, std::max(firmer * firmness_, firstFirmness));
+        else if (length > nearlyFull) firmness_ = softer * firmness_ < leastFirmness ? 0.0 : softer * firmness_;
+    }
+
+    /// Tangent of a link in Newton's matrix, not multiplied by `Law::share`.
+    double tangentOf(std::size_t i) const {
+        const Law& law = problem_.links[i].law;
+        const double tangent = trial_.laws[i].tangent;
+        if (firmness_ == 0.0 || !isFlat(i)) return tangent;
+        return std::max(tangent, firmness_ * law.limit / std::abs(trial_.strains[i] - law.offset));
     }
 
     /// True for a contact that is barely closed or barely open, or whose friction is equally small or, in motion, as
@@ -197,7 +234,7 @@ private:
         const auto take = [&](double least) {
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 const Law& law = problem_.links[i].law;
-                weights[i] = law.share * std::max(trial_.laws[i].tangent, least * law.stiffness);
+                weights[i] = law.share * std::max(tangentOf(i), least * law.stiffness);
                 if (isIndifferent(i)) weights[i] = matrix_.weightInFactor(i).value_or(weights[i]);
             }
             return matrix_.factor(problem_, rows_, weights, report_.work);
@@ -220,6 +257,7 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
+    double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix
     int tries_ = 0, useless_ = 0;
     Trial beforeSweeps_;
     double residualBefore_ = 0.0;
