@@ -48,8 +48,9 @@ def scene_of(name):
         if anchors and not is_per_node(anchors):
             bolt.pop("divisions", None)
     expected = [e["quantity"] for e in scene.get("about", {}).get("expected", [])]
-    # after a rupture the last force of a bolt is round-off
-    moved = [f"max {m['name']}" if "bolt" in m else f"last {m['name']}" + (".u" if "point" in m else "")
+    # after a rupture the last force of a bolt is round-off; the moments of samples are negative where they are large
+    largest = lambda monitor: "min" if monitor.get("quantity") == "moment" else "max"  # noqa: E731
+    moved = [f"{largest(m)} {m['name']}" if "bolt" in m else f"last {m['name']}" + (".u" if "point" in m else "")
              for m in scene.get("monitors", [])]
     wanted = ["stands"] + scene.get("quantities", []) + expected + moved
     scene["quantities"] = [q for q in dict.fromkeys(wanted) if q not in ("factor_of_safety", "energy_error")]
