@@ -114,7 +114,7 @@ private:
         StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, lock});
         if (balanced(problem, step) && !lock) {
             accept(problem);
-            countAccepted(engine_, state_, residual_);
+            countAccepted(engine_, state_, loaded_ ? residual_ : 0.0);
             return Outcome::Balanced;
         }
         if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
@@ -360,6 +360,7 @@ private:
             if (problem.known[i] && std::abs(problem.value[i]) > roundOff()) return false;
         const double reference = referenceForce(problem, still, net);
         const double before = std::exchange(residual_, residualNorm(problem, net) / reference);
+        loaded_ = reference > problem.floorForce;
         if (usesMultipliers(model_) && multiplierError(model_, state_, problem, still) > 1.0) return false;
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         if (unrest_.beyond > 1.0) return false;
@@ -493,6 +494,7 @@ private:
     Eigen::VectorXd lastStep_;
     bool drifts_ = false;  // the last two steps had the same direction
     double residual_ = std::numeric_limits<double>::max();  // over the reference force, at the last check
+    bool loaded_ = true;  // more than round-off acts, so that the residual is a share of something
 };
 
 }  // namespace
