@@ -132,12 +132,21 @@ CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, Q
 }
 
 void CommandPalette::open() {
+    if (!isVisible()) before_ = QApplication::focusWidget();
     mouse_ = QCursor::pos();
     typed_->clear();
     list();
     raise();
     show();
     typed_->setFocus();
+}
+
+/// Gives the focus back; otherwise Qt gives it to the search box, where Space opens the palette again instead of playing
+/// the frames.
+void CommandPalette::leave() {
+    if (before_ && before_->isVisible()) before_->setFocus();
+    else typed_->clearFocus();
+    hide();
 }
 
 void CommandPalette::list() {
@@ -182,7 +191,7 @@ void CommandPalette::run() {
     recent_.prepend(action->objectName());
     while (recent_.size() > mostRecent) recent_.removeLast();
     QSettings().setValue(recentKey, recent_);
-    hide();
+    leave();
     QTimer::singleShot(0, action, &QAction::trigger);
 }
 
@@ -191,7 +200,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
     const int rows = found_->count(), row = found_->currentRow();
     switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Escape: hide(); return true;
+        case Qt::Key_Escape: leave(); return true;
         case Qt::Key_Return:
         case Qt::Key_Enter: run(); return true;
         case Qt::Key_Down: found_->setCurrentRow(std::min(row + 1, rows - 1)); return true;

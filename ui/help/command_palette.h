@@ -8,6 +8,7 @@
 
 #include <QFrame>
 #include <QPoint>
+#include <QPointer>
 #include <QStringList>
 
 class QAction;
@@ -32,6 +33,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void leave();
     void list();
     void chooseUnderMouse();
     void run();
@@ -43,6 +45,7 @@ private:
     QListWidget* found_;
     QLabel* none_;  // message if no command matches
     QStringList recent_;  // ids of recently used commands, latest first, saved in the settings
+    QPointer<QWidget> before_;  // had the focus when the palette was opened
     QPoint mouse_;  // cursor position on the screen when the mouse last selected an item [px]
 };
 

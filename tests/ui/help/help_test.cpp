@@ -69,6 +69,35 @@ TEST(Palettes, TypingAndEnterRunsTheCommand) {
     EXPECT_FALSE(palette.isVisible());
 }
 
+TEST(Palettes, ShortcutInATextFieldOpensItAndTheFocusReturns) {
+    NEED_SCREEN();
+    Room room;
+    CommandPalette palette(room.commands, room.themes, &room.window);
+    QAction* search = room.commands.add({"help.palette", "Search commands", "Help", {}, {}, {QKeySequence("Ctrl+K")}},
+                                        [&] { palette.open(); });
+    room.window.addAction(search);
+    QLineEdit before(&room.window), field(&room.window);
+    for (QLineEdit* line : {&before, &field}) line->show();
+    field.setText("Drift");
+    room.window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&room.window));
+    field.setFocus();
+    field.setCursorPosition(2);
+    QTest::keyClick(&field, Qt::Key_K, Qt::ControlModifier);
+    EXPECT_TRUE(palette.isVisible());
+    EXPECT_EQ(field.text(), "Drift");
+    auto* typed = palette.findChild<QLineEdit*>("palette.typed");
+    EXPECT_TRUE(typed->hasFocus());
+    QTest::keyClick(typed, Qt::Key_Escape);
+    EXPECT_FALSE(palette.isVisible());
+    EXPECT_TRUE(field.hasFocus());
+    palette.open();
+    QTest::keyClicks(typed, "ru");
+    QTest::keyClick(typed, Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return room.runs == 1; }));
+    EXPECT_TRUE(field.hasFocus());
+}
+
 TEST(Palettes, UnavailableCommandsComeLastAndNoMatchIsReported) {
     NEED_SCREEN();
     Room room;
