@@ -33,7 +33,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostOfLabel = 320;  // [px]
+constexpr int mostOfLabel = 320, mostOfStage = 120;  // [px]; mostOfStage: room kept for the name of the stage
 constexpr int shortest = 3;  // level of `showAsShort`
 constexpr int fullHeight = 104, emptyHeight = 30, rowHeight = 28;  // [px]
 constexpr double speeds[]{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0};
@@ -267,7 +267,8 @@ void TimeLine::resizeEvent(QResizeEvent*) { fit(); }
 void TimeLine::fit() {
     for (int level = 0; level <= shortest; ++level) {
         showAsShort(level);
-        if (transport_->minimumSizeHint().width() + countsBar_->sizeHint().width() + 40 <= width()) return;
+        const int stage = std::min(stage_->sizeHint().width(), mostOfStage);  // its minimum is 0
+        if (transport_->minimumSizeHint().width() + stage + countsBar_->sizeHint().width() + 40 <= width()) return;
     }
 }
 
@@ -291,12 +292,15 @@ void TimeLine::showMoment() {
     }
     const LiveRun& run = *cursor_.run();
     const FrameHead head = cursor_.head();
-    stage_->setText(QString::fromStdString(stageName(run.scene(), head.stage)));
+    const QString stage = QString::fromStdString(stageName(run.scene(), head.stage));
+    const bool needsOtherRoom = stage != stage_->text() || live_->isHidden() == cursor_.goesOn();
+    stage_->setText(stage);
     time_->setText(tr("t = %1").arg(QString::fromStdString(timeText(run.scene(), head.stage, head.time))));
     const auto frame = cursor_.frame();
     const auto count = static_cast<int>(run.frames().size());
     frame_->setText(frame ? tr("frame %1 of %2").arg(*frame + 1).arg(count) : tr("step %1").arg(head.step));
     live_->setVisible(cursor_.goesOn());
+    if (needsOtherRoom) fit();
     live_->setProperty("live", cursor_.isLive());
     live_->setText(cursor_.isLive() ? tr("Live") : tr("Go live"));
     const Theme& theme = themes_.current();

@@ -27,7 +27,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostOfBox = 150, spaceBeforeToggles = 6;  // [px]; longer choices are elided
+constexpr int mostOfBox = 240, spaceBeforeToggles = 6;  // [px]; longer choices are elided
 constexpr std::array kindsOfArrows{ArrowKind::Displacements, ArrowKind::Velocities, ArrowKind::StressCrosses};  // as offered
 constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
@@ -108,6 +108,7 @@ QComboBox* ViewBar::addChoice(const char* name, const QString& title) {
     auto* choice = new TitledChoice(title, this);
     choice->setObjectName(name);
     choice->setAccessibleName(title);
+    choice->setMaximumWidth(mostOfBox);  // so that the others are not narrowed for it
     row_->addWidget(choice);
     connect(choice, QOverload<int>::of(&QComboBox::activated), this, &ViewBar::take);
     return choice;

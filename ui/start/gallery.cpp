@@ -77,7 +77,7 @@ QWidget* Gallery::makeHeader() {
     auto* title = new QLabel(tr("Samples"), header);
     title->setObjectName("sectionTitle");
     auto* hint = new ElidedLabel(header);
-    hint->setText(tr("Samples open as copies and come with a description and expected results"));
+    hint->setText(tr("Each opens as a copy, with expected results"));
     hint->setObjectName("hint");
     hint->setMinimumWidth(0);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -5,7 +5,9 @@
 #include "ui/look/commands.h"
 #include "ui/window/dock.h"
 
+#include <QCoreApplication>
 #include <QDockWidget>
+#include <QEvent>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
@@ -15,6 +17,7 @@
 #include <QWidgetAction>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -129,6 +132,26 @@ void size(QMainWindow& window, Arrangement arrangement) {
     window.resizeDocks({firsts.front()}, {bottom}, Qt::Vertical);
 }
 
+/// The widest dock in front below the timeline, which gets a dock of another arrangement as a tab. Null if the dock has a
+/// place already.
+QDockWidget* hostFor(QMainWindow& window, Arrangement arrangement, QDockWidget& guest) {
+    for (const auto& group : groupsOf(arrangement))
+        if (docksOf(window, group).contains(&guest)) return nullptr;
+    const auto isBelow = [&window](QDockWidget* dock) {
+        return window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating() &&
+               dock->features().testFlag(QDockWidget::DockWidgetClosable);
+    };
+    const QList<QDockWidget*> neighbours = window.tabifiedDockWidgets(&guest);
+    const auto isShown = [](const QDockWidget* dock) { return !dock->isHidden(); };
+    if (!isBelow(&guest) || std::any_of(neighbours.begin(), neighbours.end(), isShown)) return nullptr;
+    QDockWidget* widest = nullptr;
+    for (QDockWidget* host : window.findChildren<QDockWidget*>()) {
+        const bool isInFront = isBelow(host) && isShown(host) && !host->visibleRegion().isEmpty();
+        if (isInFront && (!widest || host->width() > widest->width())) widest = host;
+    }
+    return widest;
+}
+
 QString keyOf(Arrangement arrangement) {
     static constexpr std::array keys{"drawing", "results", "studies"};
     return QString::fromLatin1(keys.at(static_cast<std::size_t>(arrangement)));
@@ -170,8 +193,13 @@ void Layouts::apply() {
     window_.setAnimated(false);
     window_.setUpdatesEnabled(false);
     const bool isRestored = !now().isEmpty() && window_.restoreState(now(), version);
-    if (!isRestored) showOnly(window_, arrangement_);
+    if (!isRestored) {
+        if (std::exchange(hasGuests_, false)) placeAll(window_);
+        showOnly(window_, arrangement_);
+    }
     QTimer::singleShot(0, this, [this, isRestored, shown = arrangement_] {
+        // The timeline grows when a run is shown; after the sizes are set it would take its height from the docks below.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         if (!isRestored && shown == arrangement_) size(window_, shown);
         window_.setUpdatesEnabled(true);
         window_.setAnimated(true);
@@ -193,6 +221,16 @@ void Layouts::reset() {
     placeAll(window_);
     apply();
     setCurrent({});
+}
+
+void Layouts::reveal(QDockWidget& shown) {
+    QDockWidget* host = shown.isHidden() && !shown.isFloating() ? hostFor(window_, arrangement_, shown) : nullptr;
+    if (host) {
+        window_.tabifyDockWidget(host, &shown);
+        hasGuests_ = true;
+    }
+    shown.show();
+    shown.raise();
 }
 
 QStringList Layouts::names() const {
@@ -230,12 +268,17 @@ void Layouts::remove(const QString& name) {
 void Layouts::addDockCommands(Commands& commands) {
     for (QDockWidget* each : window_.findChildren<QDockWidget*>()) {
         if (!each->features().testFlag(QDockWidget::DockWidgetClosable)) continue;
-        QAction* action = commands.add({"dock." + each->objectName(), each->windowTitle(), "View", {},
-                                        tr("Shows or hides this panel."), {}, true, "docks"},
-                                       [each] {
-                                           const bool shows = !each->isHidden();
-                                           each->setVisible(!shows);
-                                           if (!shows) each->raise();
+        QAction* action = commands.add({"dock." + each->objectName(),
+                                        each->windowTitle(),
+                                        "View",
+                                        {},
+                                        tr("Shows or hides this panel."),
+                                        {},
+                                        true,
+                                        "docks"},
+                                       [this, each] {
+                                           if (each->isHidden()) reveal(*each);
+                                           else each->hide();
                                        });
         const auto tell = [action, each] { action->setChecked(!each->isHidden()); };
         connect(each->toggleViewAction(), &QAction::toggled, action, tell);

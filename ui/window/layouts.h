@@ -12,6 +12,7 @@
 
 #include <array>
 
+class QDockWidget;
 class QMainWindow;
 class QMenu;
 class QToolButton;
@@ -36,6 +37,8 @@ public:
     /// Saves all arrangements for the next start.
     void keep();
     void reset();
+    /// Shows a dock in front. One that belongs to another arrangement becomes a tab, so that the others keep their room.
+    void reveal(QDockWidget& dock);
 
     QStringList names() const;
     void save(const QString& name);  // replaces an existing layout with this name
@@ -56,6 +59,7 @@ private:
     QMainWindow& window_;
     Arrangement arrangement_ = Arrangement::Drawing;
     std::array<QByteArray, 3> states_;
+    bool hasGuests_ = false;  // a dock was moved into a group of another arrangement
     QString current_;
     QToolButton* button_ = nullptr;
 };

@@ -105,6 +105,7 @@ MainWindow::MainWindow(Themes& themes)
     addToMenus(*this, *recent_, [this](const QString& path) { openPath(path); });
     layouts_->begin();
     connect(runs_, &RunArea::modeChanged, this, &MainWindow::arrange);
+    connect(runs_, &RunArea::panelAsked, this, [this](QDockWidget* panel) { layouts_->reveal(*panel); });
     connect(workflow_, &WorkflowBar::chosen, this, &MainWindow::arrange);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);

@@ -148,11 +148,16 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     auto* quantities = new QuantityTable(themes, *cursor_, &window);
     QDockWidget* asked = makeDock(window, themes, "quantitiesDock", tr("Quantities"), quantities);
     QDockWidget* safety = makeDock(window, themes, "safetyDock", tr("Safety"), new SafetyPanel(*safety_, &window));
-    parts_.commands.add({"run.safety", tr("Find factor of safety"), "Run", {},
-                         tr("Runs the scene repeatedly with reduced strengths until it fails."), {}, false, "safety"},
+    parts_.commands.add({"run.safety",
+                         tr("Find factor of safety"),
+                         "Run",
+                         {},
+                         tr("Runs the scene repeatedly with reduced strengths until it fails."),
+                         {},
+                         false,
+                         "safety"},
                         [this, safety] {
-                            safety->show();
-                            safety->raise();
+                            Q_EMIT panelAsked(safety);
                             safety_->start();
                         });
     QDockWidget* accuracy = makeDock(window, themes, "accuracyDock", tr("Accuracy"),
@@ -166,8 +171,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                          false,
                          "safety"},
                         [this, accuracy] {
-                            accuracy->show();
-                            accuracy->raise();
+                            Q_EMIT panelAsked(accuracy);
                             accuracy_->start();
                         });
     QDockWidget* stress = makeDock(window, themes, "stressDock", tr("Stress test"), new StressPanel(*stress_, &window));
@@ -180,8 +184,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                          false,
                          "safety"},
                         [this, stress] {
-                            stress->show();
-                            stress->raise();
+                            Q_EMIT panelAsked(stress);
                             stress_->start();
                         });
     parts_.commands.add({"view.activity",

@@ -88,6 +88,7 @@ public:
 Q_SIGNALS:
     void statesChanged();
     void modeChanged(bool results);
+    void panelAsked(QDockWidget* panel);  // to be shown in front
 
 private:
     void placeDocks(QBoxLayout& besideCanvas);

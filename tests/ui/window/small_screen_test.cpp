@@ -15,12 +15,15 @@
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/runs/runs.h"
+#include "ui/runs/stress_runs.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/window/main_window.h"
+#include "ui/window/workflow_bar.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
@@ -86,7 +89,7 @@ TEST_P(SmallScreens, RunButtonOfTheModelSummaryIsNotCut) {
         << time->height() << " of " << time->sizeHint().height() << " px";
 }
 
-TEST_P(SmallScreens, BoltDiagramAndCurvesAreDrawn) {
+TEST_P(SmallScreens, BoltDiagramCurvesAndStageAreDrawn) {
     open("rebar-stated");
     run();
     for (QWidget* dock : {static_cast<QWidget*>(window_->findChild<BoltStrip*>()),
@@ -95,6 +98,8 @@ TEST_P(SmallScreens, BoltDiagramAndCurvesAreDrawn) {
         EXPECT_TRUE(waitFor([&] { return chart->isDrawn(); }))
             << dock->objectName().toStdString() << " is " << chart->width() << " x " << chart->height() << " px";
     }
+    const auto* stage = window_->findChild<QLabel*>("timeStage");
+    EXPECT_TRUE(waitFor([&] { return stage->width() >= stage->sizeHint().width(); }, 5000)) << stage->width();
 }
 
 TEST_P(SmallScreens, ViewControlsWithoutRoomAreInTheMenu) {
@@ -114,10 +119,36 @@ TEST_P(SmallScreens, ViewControlsWithoutRoomAreInTheMenu) {
         const auto* control = bar->findChild<QWidget*>(name);
         EXPECT_TRUE(waitFor([&] { return isWhole(*control) || isInMenu(*control); })) << name;
     }
+    for (const auto* box : bar->findChildren<QComboBox*>())  // no choice is elided
+        EXPECT_TRUE(!box->isVisible() || box->width() >= box->sizeHint().width()) << box->objectName().toStdString();
+}
+
+TEST_P(SmallScreens, PanelsOfAnotherArrangementOpenAsTabs) {
+    open("rebar-stated");
+    run();
+    const auto dock = [this](const char* name) { return window_->findChild<QDockWidget*>(name); };
+    settle();
+    const int strip = dock("stripDock")->width(), curves = dock("curvesDock")->width();
+    const Commands& commands = *window_->findChild<Commands*>();
+    commands.action("run.stress")->trigger();
+    window_->findChild<StressRuns*>()->stop();
+    settle();
+    EXPECT_TRUE(dock("stressDock")->isVisible());
+    commands.action("dock.problemsDock")->trigger();
+    settle();
+    EXPECT_TRUE(dock("problemsDock")->isVisible());
+    for (const char* name : {"stressDock", "problemsDock"})
+        EXPECT_TRUE(window_->tabifiedDockWidgets(dock("stripDock")).contains(dock(name))) << name;
+    EXPECT_EQ(dock("problemsDock")->width(), strip);
+    EXPECT_EQ(dock("curvesDock")->width(), curves);
+    window_->findChild<WorkflowBar*>()->choose(WorkStep::Geometry);
+    EXPECT_TRUE(waitFor([&] { return dock("problemsDock")->isVisible() && dock("curvesDock")->isHidden(); }));
+    EXPECT_FALSE(window_->tabifiedDockWidgets(dock("stripDock")).contains(dock("problemsDock")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, SmallScreens,
-                         testing::Values(QSize(1366, 728), QSize(1280, 680), QSize(1280, 800), QSize(1400, 900)));
+                         testing::Values(QSize(1366, 728), QSize(1280, 680), QSize(1280, 800), QSize(1400, 900),
+                                         QSize(1600, 960)));
 
 class Widths : public SmallScreens {};
 
