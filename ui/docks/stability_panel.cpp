@@ -14,6 +14,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -39,6 +40,7 @@ QTreeWidget* table(const char* name, const QString& says, const QStringList& hea
     tree->setAccessibleName(says);
     tree->setRootIsDecorated(false);
     tree->setUniformRowHeights(true);
+    tree->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // as high as there is room, see fitRows()
     tree->setHeaderLabels(heads);
     tree->header()->setStretchLastSection(true);
     for (int c = firstNumber; c <= lastNumber; ++c) tree->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
@@ -60,10 +62,15 @@ void fitColumns(QTreeWidget* tree) {
 /// Height of a table with its header and this number of rows [px].
 int heightWith(const QTreeWidget* tree, int rows) { return tree->header()->sizeHint().height() + 26 * rows + 4; }
 
-/// Limits the table to the height of its rows, at most three, if another table needs the space below.
+int barHeight(const QTreeWidget* tree) { return tree->horizontalScrollBar()->sizeHint().height(); }
+
+/// Gives the table the height of its rows, at most three, and of its scroll bar if columns are out of sight; it takes
+/// more only if no other table needs the space below.
 void fitRows(QTreeWidget* tree, bool leavesRoom) {
-    const int rows = std::min(3, tree->topLevelItemCount());
-    tree->setMaximumHeight(leavesRoom ? heightWith(tree, rows) : QWIDGETSIZE_MAX);
+    const bool needsBar = tree->header()->length() > tree->viewport()->width();
+    const int height = heightWith(tree, std::min(3, tree->topLevelItemCount())) + (needsBar ? barHeight(tree) : 0);
+    tree->setMinimumHeight(height);
+    tree->setMaximumHeight(leavesRoom ? height : QWIDGETSIZE_MAX);
 }
 
 QString utilisationText(const std::optional<double>& use) {
@@ -109,14 +116,25 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
-    auto* column = new QVBoxLayout(this);
+    // In a low window the panel scrolls, so that each table keeps at least a row in sight.
+    auto* content = new QWidget;
+    content->setObjectName("stabilityContent");
+    content->setAttribute(Qt::WA_StyledBackground);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scroll);
+    auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(answer_);
     column->addWidget(worst_);
     column->addWidget(blocks_, 3);  // gets the height of its rows first
     column->addWidget(bolts_, 1);
-    bolts_->setMinimumHeight(heightWith(bolts_, 1) + bolts_->horizontalScrollBar()->sizeHint().height());
+    bolts_->setMinimumHeight(heightWith(bolts_, 1) + barHeight(bolts_));
     column->addStretch(0);
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::runGrew})
         connect(&cursor, signal, this, &StabilityPanel::takeRun);
@@ -133,6 +151,11 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
 void StabilityPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     takeRun();
+}
+
+void StabilityPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitRows(blocks_, !uses_.empty());
 }
 
 void StabilityPanel::takeRun() {
@@ -205,7 +228,6 @@ void StabilityPanel::fillBlocks(const Verdict& verdict) {
                one.block.block);
     blocks_->setVisible(blocks_->topLevelItemCount() > 0);
     fitColumns(blocks_);
-    fitRows(blocks_, !uses_.empty());
 }
 
 void StabilityPanel::fillBolts() {
@@ -234,6 +256,7 @@ void StabilityPanel::fillBolts() {
     }
     bolts_->setVisible(!uses_.empty());
     fitColumns(bolts_);
+    fitRows(blocks_, !uses_.empty());
 }
 
 /// The peak as text, for example "62.1 kN at 1.25 m", measured from the far end.

@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -123,6 +125,33 @@ TEST_F(StabilityPanelTest, ShowsThreeBlocksAndABoltAtItsDefaultSize) {
     EXPECT_TRUE(isVisible(blocks, 0) && isVisible(blocks, 1) && isVisible(blocks, 2));
     EXPECT_TRUE(isVisible(bolts, 0));
     EXPECT_EQ(shown.panel.height(), shown.panel.sizeHint().height());
+}
+
+TEST_F(StabilityPanelTest, ShowsABlockInALowPanelAndScrollsToTheBolts) {
+    ShownPanel shown;
+    shown.panel.resize(358, 142);  // in the default layout at 1366 x 768
+    Scene scene = test::sample("suspended-block.json");
+    auto* scroll = shown.panel.findChild<QScrollArea*>();
+    shown.cursor.setRun(test::storedRun(scene, folder_.path() / "stable.kbrun"), false);
+    ASSERT_TRUE(waitFor([&] { return shown.tree("boltUses")->topLevelItemCount() == 1; }));
+    settle();
+    EXPECT_EQ(scroll->verticalScrollBar()->maximum(), 0);
+    Block loose = scene.blocks.back();
+    loose.name = "loose";
+    for (Point& corner : loose.points) corner += Point(3.0, 0.0);
+    scene.blocks.push_back(loose);
+    shown.cursor.setRun(test::storedRun(scene, folder_.path() / "d.kbrun"), false);
+    QTreeWidget *blocks = shown.tree("unstableBlocks"), *bolts = shown.tree("boltUses");
+    ASSERT_TRUE(waitFor([&] { return bolts->topLevelItemCount() == 1; }));
+    settle();
+    const auto showsFirstRow = [](const QTreeWidget* tree) {
+        const QRect row = tree->visualItemRect(tree->topLevelItem(0));
+        const QRegion seen = tree->viewport()->visibleRegion();
+        return seen.contains(row.topLeft() + QPoint(5, 3)) && seen.contains(row.bottomLeft() + QPoint(5, -3));
+    };
+    EXPECT_TRUE(showsFirstRow(blocks));
+    scroll->ensureWidgetVisible(bolts);
+    EXPECT_TRUE(showsFirstRow(bolts));
 }
 
 }  // namespace
