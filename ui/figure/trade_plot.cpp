@@ -114,11 +114,18 @@ Point TradePlot::placeOf(const TradeDot& dot) const {
     return {time_.at(std::max(dot.seconds, leastTime)), error_.at(100.0 * std::max(dot.error, floor_))};
 }
 
-Colour TradePlot::colourOf(const std::string& axis) const {
-    static constexpr std::array colours{rgb(0x3A3FA8), rgb(0xC2410C), rgb(0x1B8A5A), rgb(0xE69F00), rgb(0x56B4E9),
+Colour tradeColour(std::size_t number, const Colour& ground) {
+    static constexpr std::array onLight{rgb(0x3A3FA8), rgb(0xC2410C), rgb(0x1B8A5A), rgb(0xE69F00), rgb(0x56B4E9),
                                         rgb(0x8C564B), rgb(0xCC79A7), rgb(0x6B747E), rgb(0x0E7C86), rgb(0xA8338F)};
+    static constexpr std::array onDark{rgb(0x97A2FF), rgb(0xF2764B), rgb(0x4CC38A), rgb(0xF0B64A), rgb(0x7CC8F2),
+                                       rgb(0xC49A8A), rgb(0xF0A8CB), rgb(0x98A2AF), rgb(0x3FB0BC), rgb(0xD46FBD)};
+    const bool isDark = ground.red + ground.green + ground.blue < 3 * 128;
+    return (isDark ? onDark : onLight)[number % onLight.size()];
+}
+
+Colour TradePlot::colourOf(const std::string& axis) const {
     const auto place = static_cast<std::size_t>(std::find(axes_.begin(), axes_.end(), axis) - axes_.begin());
-    return place == 0 ? theme_.text : colours[(place - 1) % colours.size()];
+    return place == 0 ? theme_.text : tradeColour(place - 1, theme_.ground);
 }
 
 TextStyle TradePlot::inked(TextStyle style) const {

@@ -8,6 +8,7 @@
 #include "ui/figure/chart_painter.h"
 #include "ui/figure/trade_figure.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ public:
 private:
     double low_, high_, from_, to_;
 };
+
+/// Colour of the dots of one kind of setting, from 0; they repeat after ten.
+Colour tradeColour(std::size_t number, const Colour& ground);
 
 class TradePlot {
 public:

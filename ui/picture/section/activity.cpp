@@ -6,10 +6,11 @@
 
 namespace keyblock {
 
+// Slate, as for all colours of blocks: those of Ember belong to bolts. The three differ in lightness.
 Colour colourOf(BlockActivity activity, bool dark) {
     switch (activity) {
-        case BlockActivity::Active: return dark ? rgb(0xC8742B) : rgb(0xE9A45C);
-        case BlockActivity::Asleep: return dark ? rgb(0x2F5E78) : rgb(0xA9CBDD);
+        case BlockActivity::Active: return dark ? rgb(0x6FA3AB) : rgb(0x628C99);
+        case BlockActivity::Asleep: return dark ? rgb(0x263647) : rgb(0xD2DED4);
         case BlockActivity::Fixed: break;
     }
     return dark ? rgb(0x4A4F57) : rgb(0xB9B6AF);
