@@ -63,7 +63,7 @@ public:
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
-        while (!over() && report_.passes <= mostPasses()) {
+        while (report_.passes <= mostPasses() && !over()) {
             iterate();
             ++report_.passes;
         }
