@@ -202,8 +202,10 @@ private:
 
     /// The tangent of a flat law says nothing of where its force will change again: with it alone, Newton's method
     /// overshoots a thousandfold and the line search stalls. The secant bounds the law's potential from above, so that
-    /// steps become short enough, but many; hence a fraction of it is used, which follows the step lengths.
+    /// steps become short enough, but many; hence a fraction of it is used, which follows the step lengths. In motion
+    /// inertia holds the rock and sweeps help; there it would double the work.
     void adaptFirmness(double length) {
+        if (!rests()) return;
         if (length < stall) firmness_ = std::min(1.0, std::max(firmer * firmness_, firstFirmness));
         else if (length > nearlyFull) firmness_ = softer * firmness_ < leastFirmness ? 0.0 : softer * firmness_;
     }

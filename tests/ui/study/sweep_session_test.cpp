@@ -100,7 +100,7 @@ TEST_F(Sweeps, ProgramThatIsMissingOrFailsIsReported) {
     session_.plan(study(3), sweepPath());
     ASSERT_TRUE(waitFor([&] { return !session_.problem().isEmpty(); }, 10000));
     EXPECT_TRUE(session_.problem().contains("/no/such/program")) << session_.problem().toStdString();
-    EXPECT_FALSE(session_.isRunning());
+    ASSERT_TRUE(hasEnded());
     session_.setProgram("/bin/false");
     session_.run();
     ASSERT_TRUE(hasEnded());
