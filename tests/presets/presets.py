@@ -35,6 +35,12 @@ def is_per_node(anchors):
     return any(a.get("per", "node") == "node" and "at" not in a for a in anchors)
 
 
+def largest(monitor):
+    """The extreme of a bolt's force, of which the last value after a rupture is round-off. Moments of the samples are
+    negative where they are large."""
+    return "min" if monitor.get("quantity") == "moment" else "max"
+
+
 def scene_of(name):
     """The sample without settings that presets determine, and with quantities of interest."""
     scene = json.loads((SAMPLES / f"{name}.json").read_text(encoding="utf-8"))
@@ -48,8 +54,6 @@ def scene_of(name):
         if anchors and not is_per_node(anchors):
             bolt.pop("divisions", None)
     expected = [e["quantity"] for e in scene.get("about", {}).get("expected", [])]
-    # after a rupture the last force of a bolt is round-off; the moments of samples are negative where they are large
-    largest = lambda monitor: "min" if monitor.get("quantity") == "moment" else "max"  # noqa: E731
     moved = [f"{largest(m)} {m['name']}" if "bolt" in m else f"last {m['name']}" + (".u" if "point" in m else "")
              for m in scene.get("monitors", [])]
     wanted = ["stands"] + scene.get("quantities", []) + expected + moved
