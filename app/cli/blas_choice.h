@@ -15,7 +15,7 @@ void useBlasKernel(const std::string& kernel);
 
 /// Continues without threads of OpenBLAS if the address space is limited (`ulimit -v`): starts the program again unless
 /// there are none. Such a thread asks for a buffer of 128 MB, again and again where it does not get it, and may take it
-/// from the main thread, which then waits for ever. The program itself uses OpenBLAS on one thread.
+/// from the main thread, which then waits forever. The program itself uses OpenBLAS on one thread.
 void avoidBlasThreads();
 
 }  // namespace keyblock::cli

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reads files that users name. A device or a pipe could be endless, or block the
-// program for ever, so only regular files are opened, and no more than a limit is read.
+// program forever, so only regular files are opened, and no more than a limit is read.
 #pragma once
 
 #include <cstdint>

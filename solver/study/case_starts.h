@@ -3,7 +3,7 @@
 //
 // Starts of a case that never ended. A case that ends its process each time, for example
 // because the system has no memory for it, becomes a row with this reason and does not
-// keep a task from its other cases for ever.
+// keep a task from its other cases forever.
 #pragma once
 
 #include <filesystem>

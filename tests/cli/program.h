@@ -24,7 +24,7 @@ class Program {
 public:
     /// Starts the program with these words, in this folder, with these variables added to the environment and with this
     /// limit of its address space [bytes]. The limit is not set in the test: a thread of OpenBLAS that has not got its
-    /// buffer yet would then ask for it for ever, and `fork` waits for the end of such threads.
+    /// buffer yet would then ask for it forever, and `fork` waits for the end of such threads.
     Program(const std::vector<std::string>& words, const std::filesystem::path& folder,
             const std::map<std::string, std::string>& environment = {},
             std::optional<std::size_t> addressSpace = std::nullopt);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// OpenBLAS needs a large buffer and asks for it again and again, for ever, where the
+// OpenBLAS needs a large buffer and asks for it again and again, without end, where the
 // system does not give it. It is therefore asked for here first.
 #pragma once
 
