@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations flips cluster asan tsan bench bench-compare presets trade estimates everything fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills mutations extremes-asan flips cluster asan tsan bench bench-compare presets trade estimates everything fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -22,6 +22,7 @@ help:
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
 	@echo "make mutations  resume runs from two thousand checkpoints changed at random, with the address sanitizer"
+	@echo "make extremes-asan  run the extremes and two hundred random combinations of them with the address sanitizer, COUNT=200 SEED=1"
 	@echo "make flips  read a run store with two hundred single flipped bits, and with values that are not finite, by every command; none may show other numbers"
 	@echo "make cluster  run a sweep on a Slurm cluster of two nodes on this machine, kill a case and a node, and compare the bytes; needs root"
 	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
@@ -124,6 +125,11 @@ mutations:
 	@cmake --preset asan --log-level=WARNING
 	@cmake --build --preset asan --target checkpoint_mutations
 	KEYBLOCK_MUTATIONS=$(or $(COUNT),2000) build/asan/tests/checkpoint_mutations --gtest_filter='CheckpointCheck.*AtRandom'
+
+extremes-asan: packages
+	@cmake --preset asan --log-level=WARNING
+	@cmake --build --preset asan --target keyblock
+	ASAN_OPTIONS=detect_leaks=0 build/asan/keyblock verify --extremes --random $(or $(COUNT),200) --seed $(or $(SEED),1)
 
 flips:
 	@sh resources/install/debian.sh python3-xxhash
