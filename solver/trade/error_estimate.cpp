@@ -61,8 +61,6 @@ std::optional<Refinement> finerBolt(const Scene& scene, const Scene& solved, int
     return finer;
 }
 
-bool isCounted(const std::string& quantity) { return quantity.starts_with("count ") || quantity == "stands"; }
-
 /// Adds the change by a refinement to an estimate.
 void addChange(const Measurement& base, const Measurement& fine, const Refinement& refinement, QuantityEstimate& to) {
     if (!to.remark.empty()) return;

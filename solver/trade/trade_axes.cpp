@@ -78,8 +78,11 @@ bool isAutomatic(const Scene& scene) {
 void addFinerAutomatic(const Scene& scene, const TradeModel& model, TradeAxis& axis) {
     for (const double factor : finerAutomatic) {
         const double value = factor * numericsOf(scene.analysis).divisionsFactor;
-        TradeSetting setting{
-            axis.name, "automatic × " + rounded(factor), {"analysis.divisions_factor=" + shortest(value)}, {}};
+        TradeSetting setting{axis.name,
+                             "automatic × " + rounded(factor),
+                             {"analysis.divisions_factor=" + shortest(value)},
+                             {},
+                             1.0 / factor};
         setting.apply = [value](Scene& changed) { changed.analysis.divisionsFactor = value; };
         const double own = model.blockUnknowns + model.boltUnknowns;
         setting.cost = own > 0.0 ? (model.blockUnknowns + factor * model.boltUnknowns) / own : 1.0;
@@ -108,7 +111,11 @@ TradeAxis divisionsAxis(const Scene& scene, const TradeModel& model) {
         setting.cost = own > 0.0 ? (model.blockUnknowns + 3.0 * model.bolts * (n + 1)) / own : 1.0;
         axis.settings.push_back(std::move(setting));
     }
-    if (isAutomatic(scene)) addFinerAutomatic(scene, model, axis);
+    if (isAutomatic(scene)) {
+        for (TradeSetting& equal : axis.settings) equal.size = 0.0;  // of another series, see addFinerAutomatic
+        axis.ownSize = 1.0;
+        addFinerAutomatic(scene, model, axis);
+    }
     return axis;
 }
 

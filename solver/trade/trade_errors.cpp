@@ -5,9 +5,10 @@
 #include "solver/scene/number_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 
 namespace keyblock {
 
@@ -16,10 +17,8 @@ namespace {
 // ratios from which a run is not cheaper: of work, of time with less work, and of time alone
 constexpr double sameWork = 0.98, sameTime = 0.9, otherTime = 0.7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double noEffect = 1e-6;  // change over the value: smaller ones do not show how a quantity converges
 constexpr double leastListed = 1e-4;  // smaller errors are not listed in sentences
 constexpr double leastError = 1e-6;  // smaller errors are equal on the front
-constexpr double sameRatio = 0.05;  // relative difference of the ratios of three sizes
 constexpr std::size_t mostCompared = 2000;  // events of an order; the comparison takes the square of that
 
 bool isItselfAnError(const std::string& quantity) { return quantity == "energy_error"; }
@@ -43,6 +42,13 @@ double orderError(std::vector<std::string> a, std::vector<std::string> b) {
     b.resize(std::min(b.size(), mostCompared));
     const std::size_t longest = std::max(a.size(), b.size());
     return longest == 0 ? 0.0 : 1.0 - static_cast<double>(commonLength(a, b)) / static_cast<double>(longest);
+}
+
+/// The number of unknowns and the step have errors of first order at kinks, of second where the solution is smooth;
+/// penalties and tolerances have errors proportional to them.
+TheoreticalOrders theoreticalOrders(const std::string& axis) {
+    const bool proportional = axis == "penalty_ratio" || axis == "tolerance";
+    return {1.0, proportional ? 1.0 : 2.0};
 }
 
 struct SizedPoint {
@@ -70,6 +76,21 @@ double signedError(double value, double reference) {
     return reference == 0.0 ? value : (value - reference) / std::abs(reference);
 }
 
+std::string orderDeviation(const std::string& quantity, double error) {
+    const std::string kind = quantity.substr(std::string("order ").size());
+    return error == 0.0 ? ", same order of " + kind
+                        : ", " + rounded(100.0 * error) + " % of the order of " + kind + " differs";
+}
+
+/// Part of a sentence on a number. \param scatter of its reference.
+std::string deviation(const std::string& quantity, double value, double reference, double scatter) {
+    const bool absolute = reference == 0.0;
+    std::string text = ", " + quantity + " " +
+                       (absolute ? rounded(value) + " instead of 0" : percent(signedError(value, reference)));
+    if (scatter >= leastListed) text += " ± " + (absolute ? rounded(scatter) : rounded(100.0 * scatter) + " %");
+    return text;
+}
+
 /// The fastest of some points with an error of at most `most`, without the reference, whose own error is unknown; −1 if
 /// there is none.
 template <typename Choice>
@@ -84,6 +105,8 @@ int fastest(const Trade& trade, double most, const Choice& isChosen) {
 }
 
 }  // namespace
+
+bool isCounted(const std::string& quantity) { return quantity.starts_with("count ") || quantity == "stands"; }
 
 std::optional<double> errorOf(const TradePoint& point, const TradePoint& reference,
                               const std::vector<std::string>& quantities, std::size_t q) {
@@ -105,24 +128,24 @@ double largestError(const TradePoint& point, const TradePoint& reference, const 
 }
 
 ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, std::size_t q) {
-    const std::vector<SizedPoint> points = pointsAlong(trade, axis);
-    if (points.size() < 3) return {};
-    std::array<double, 3> values{}, sizes{};  // from fine to coarse
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::optional<double>& value = points[k].point->values[q].value;
-        if (!value) return {};
-        values[k] = *value;
-        sizes[k] = points[k].size;
+    std::vector<SizedValue> values;
+    for (const SizedPoint& sized : pointsAlong(trade, axis)) {
+        const std::optional<double>& value = sized.point->values[q].value;
+        if (!value) break;  // coarser settings may miss an event
+        values.push_back({sized.size, *value});
     }
-    const double fine = values[0] - values[1], coarse = values[1] - values[2];
-    const double scale = std::max(std::abs(values[0]), std::abs(values[2]));
-    if (std::max(std::abs(fine), std::abs(coarse)) <= noEffect * scale) return {ConvergenceOrder::Kind::NoEffect};
-    const double ratio = sizes[1] / sizes[0];
-    const bool even = std::abs(sizes[2] / sizes[1] - ratio) <= sameRatio * ratio;
-    const bool shrinks = fine * coarse > 0.0 && std::abs(fine) < std::abs(coarse);
-    if (!even || !shrinks) return {ConvergenceOrder::Kind::Irregular};
-    const double order = std::log(coarse / fine) / std::log(ratio);
-    return {ConvergenceOrder::Kind::Regular, order, values[0] + fine / (std::pow(ratio, order) - 1.0)};
+    return convergenceOf(values, theoreticalOrders(axis));
+}
+
+double scatterOf(const Trade& trade, std::size_t q) {
+    const std::optional<double>& reference = trade.points[trade.reference].values[q].value;
+    if (!reference || isCounted(trade.quantities[q]) || isItselfAnError(trade.quantities[q])) return 0.0;
+    std::set<std::string> axes;
+    for (const TradePoint& point : trade.points)
+        if (point.size > 0.0) axes.insert(point.axis);
+    double sum = 0.0;
+    for (const std::string& axis : axes) sum += convergenceOrder(trade, axis, q).scatter;
+    return *reference == 0.0 ? sum : sum / std::abs(*reference);
 }
 
 bool isOnFront(const Trade& trade, std::size_t point) {
@@ -180,31 +203,25 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
     } else {
         text += rounded(point.seconds) + " s";
     }
-    bool listed = false;
-    bool others = false;  // with errors too small to be listed
+    bool listed = false, others = false;  // others: with errors too small to be listed
+    bool scattered = false;
     for (std::size_t q = 0; q < trade.quantities.size(); ++q) {
         const auto error = errorOf(point, reference, trade.quantities, q);
         if (!error) continue;
-        if (point.values[q].order.empty() && reference.values[q].order.empty() && *error < leastListed) {
+        const bool isOrder = !point.values[q].order.empty() || !reference.values[q].order.empty();
+        const double scatter = isOrder ? 0.0 : scatterOf(trade, q);
+        if (!isOrder && *error < leastListed && scatter < leastListed) {
             others = others || point.values[q].value;
             continue;
         }
-        const Measurement &here = point.values[q], &there = reference.values[q];
-        if (!here.order.empty() || !there.order.empty()) {
-            listed = true;
-            const std::string kind = trade.quantities[q].substr(std::string("order ").size());
-            text += *error == 0.0 ? ", same order of " + kind
-                                  : ", " + rounded(100.0 * *error) + " % of the order of " + kind + " differs";
-        } else if (here.value && *error > 0.0) {
-            text += ", " + trade.quantities[q] + " " +
-                    (*there.value == 0.0 ? rounded(*here.value) + " instead of 0"
-                                         : percent(signedError(*here.value, *there.value)));
-            listed = true;
-        }
+        text += isOrder ? orderDeviation(trade.quantities[q], *error)
+                        : deviation(trade.quantities[q], *point.values[q].value, *reference.values[q].value, scatter);
+        listed = true;
+        scattered = scattered || scatter >= leastListed;
     }
     if (others)
         text += (listed ? ", all else within " : ", all quantities within ") + rounded(100.0 * leastListed) + " %";
-    return text;
+    return text + (scattered ? " (±: not regular)" : "");
 }
 
 }  // namespace keyblock

@@ -5,9 +5,13 @@
 // and which of them are worth their time.
 #pragma once
 
+#include "solver/trade/convergence.h"
 #include "solver/trade/trade.h"
 
 namespace keyblock {
+
+/// Whether a quantity is a verdict or a number of events, which does not converge but is right or wrong.
+bool isCounted(const std::string& quantity);
 
 /// Error of quantity q at a point against the reference: relative to the reference, or absolute if that is 0; for an
 /// order, the share of bolts, joints or blocks that are missing or out of order. None for the energy balance error, which is
@@ -18,16 +22,13 @@ std::optional<double> errorOf(const TradePoint& point, const TradePoint& referen
 /// Largest error over all quantities. Infinite if a run failed or a quantity has a value at only one of the two points.
 double largestError(const TradePoint& point, const TradePoint& reference, const std::vector<std::string>& quantities);
 
-/// How a quantity converges along an axis.
-struct ConvergenceOrder {
-    enum class Kind { Regular, NoEffect, Irregular, Unknown };
-    Kind kind = Kind::Unknown;  // unknown: fewer than three settings with sizes, or no number
-    double order = 0.0;  // of the size, if regular
-    double limit = 0.0;  // value extrapolated to size 0 (Richardson 1911), if regular
-};
-
-/// Convergence of quantity q along an axis, from its three finest settings.
+/// Convergence of quantity q along an axis; unknown if fewer than three of its finest settings have a number.
 ConvergenceOrder convergenceOrder(const Trade& trade, const std::string& axis, std::size_t q);
+
+/// How far the reference itself may be off because quantity q does not converge regularly: the scatters along all axes
+/// together, relative to the reference, or absolute if that is 0. The error of a point is known to within this. 0 if
+/// the quantity is regular, or unaffected, or its convergence is unknown.
+double scatterOf(const Trade& trade, std::size_t q);
 
 /// Whether no other point is both faster and closer to the reference.
 bool isOnFront(const Trade& trade, std::size_t point);
@@ -51,7 +52,7 @@ int recommendedPreset(const Trade& trade, double most);
 std::string withoutRecommendation(const Trade& trade, double most);
 
 /// One sentence on a point, to quote: how much faster than the scene's own settings, for a preset by the name of the
-/// scene's own, and the largest errors.
+/// scene's own, and the largest errors, with their scatter where they are not regular.
 std::string sentenceOn(const Trade& trade, std::size_t point);
 
 /// What the point is called in tables, e.g. "divisions 60".

@@ -43,6 +43,13 @@ std::string orderText(const ConvergenceOrder& order) {
     return "";
 }
 
+std::string scatterText(const Trade& trade, std::size_t q) {
+    const double scatter = scatterOf(trade, q);
+    if (scatter == 0.0) return "";
+    const bool absolute = trade.points[trade.reference].values[q].value == 0.0;
+    return "± " + (absolute ? rounded(scatter) : percentText(scatter));
+}
+
 std::string row(const std::vector<std::string>& cells) {
     std::string text = "|";
     for (std::string cell : cells) {
@@ -82,6 +89,7 @@ std::string orderTable(const Trade& trade) {
     std::vector<std::string> titles{"quantity"};
     const std::vector<std::string> axes = axesOf(trade);
     titles.insert(titles.end(), axes.begin(), axes.end());
+    titles.push_back("scatter");
     std::string rows;
     for (std::size_t q = 0; q < trade.quantities.size(); ++q) {
         std::vector<std::string> cells{trade.quantities[q]};
@@ -90,11 +98,14 @@ std::string orderTable(const Trade& trade) {
             cells.push_back(orderText(convergenceOrder(trade, axis, q)));
             any = any || !cells.back().empty();
         }
+        cells.push_back(scatterText(trade, q));
         if (any) rows += row(cells);
     }
     if (rows.empty()) return {};
     return "\n## Order of convergence\n\nThe error falls with this power of the setting, judged by the three finest "
-           "settings of each axis.\n\n" +
+           "settings of each axis. It is not regular where their differences change sign, or shrink by less than half "
+           "of the lowest order of theory or more than twice the highest; then the errors above are known to within "
+           "the scatter of these settings, after ± in sentences.\n\n" +
            head(titles) + rows;
 }
 
@@ -139,7 +150,7 @@ void writeTradeTable(const Trade& trade, const Scene& scene, std::ostream& out) 
     CsvWriter csv(out);
     for (const char* column :
          {"axis", "setting", "quantity", "value", "error", "wall_s", "steps", "passes", "factorizations", "unknowns",
-          "on_front", "preset", "order", "expected_error", "solves", "memory_MB", "blocks_moved"})
+          "on_front", "preset", "order", "expected_error", "solves", "memory_MB", "blocks_moved", "scatter"})
         csv.text(column);
     csv.endRow();
     const auto optional = [&](const std::optional<double>& number) {
@@ -165,7 +176,7 @@ void writeTradeTable(const Trade& trade, const Scene& scene, std::ostream& out) 
             else csv.text("");
             csv.integer(point.work.solves);
             optional(point.memory > 0.0 ? std::optional(point.memory / megabyte) : std::nullopt);
-            csv.integer(point.blocksMoved).endRow();
+            csv.integer(point.blocksMoved).number(scatterOf(trade, q)).endRow();
         }
     }
 }

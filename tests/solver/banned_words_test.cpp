@@ -77,7 +77,7 @@ const std::vector<Exception> exceptions{
     {"solver/scene/quantity_text.cpp", "stands", "a quantity of the scene format"},
     {"solver/scene/quantity_text.cpp", "factor_of_safety or stands;", "a quantity of the scene format"},
     {"solver/trade/trade_point.cpp", "stands", "a quantity of the scene format"},
-    {"solver/trade/error_estimate.cpp", "stands", "a quantity of the scene format"},
+    {"solver/trade/trade_errors.cpp", "stands", "a quantity of the scene format"},
     {"solver/trade/stress.cpp", "stands", "a quantity of the scene format"},
 };
 

@@ -67,6 +67,21 @@ TEST(TradeAxes, KeepTheDivisionsOfBondsGivenPerNode) {
     EXPECT_EQ(namesOf(tradeAxes(scene, {12, 1, 30, 1})).front(), "time_step");
 }
 
+/// Equal divisions and automatic ones are two series: results of one do not converge to those of the other.
+TEST(TradeAxes, GiveSizesToAutomaticDivisionsAlone) {
+    Scene scene = inclineScene(30.0, 20.0, 0.1);
+    scene.bolts.resize(1);
+    const auto sizesOf = [&] {
+        const TradeAxis axis = axisNamed(tradeAxes(scene, {12, 1, 30, 1}), "divisions");
+        std::vector<double> sizes{axis.ownSize};
+        for (const TradeSetting& setting : axis.settings) sizes.push_back(setting.size);
+        return sizes;
+    };
+    EXPECT_EQ(sizesOf(), (std::vector<double>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.25}));
+    scene.bolts[0].divisions = 50;
+    EXPECT_EQ(sizesOf(), (std::vector<double>{0.0, 1.0 / 15, 1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240}));
+}
+
 /// Equal divisions are coarser at joints than automatic ones, so the finest ones are automatic too.
 TEST(TradeAxes, RefineAutomaticDivisionsEverywhere) {
     Scene scene = inclineScene(30.0, 20.0, 0.1);

@@ -82,6 +82,35 @@ TEST(ConvergenceOrder, IsNotGivenWhereValuesGoBackAndForth) {
     EXPECT_EQ(convergenceOrder(trade, "penalty_ratio", 0).kind, ConvergenceOrder::Kind::Unknown);
 }
 
+/// The scene's own settings give 11, half the step 11.5, twice the step 14: the reference is known to ±3 of 10.
+TEST(TradeErrors, AreKnownToWithinTheScatterOfIrregularQuantities) {
+    Trade trade = squareTrade();
+    EXPECT_EQ(scatterOf(trade, 0), 0.0);
+    trade.points[3].values[0].value = 11.5;
+    EXPECT_NEAR(scatterOf(trade, 0), 0.3, 1e-12);
+    EXPECT_EQ(sentenceOn(trade, 0), "own settings: 4 s, last crown.u +10 % ± 30 % (±: not regular)");
+    TradePoint finer = point("tolerance", 1e-5, 5.0, 11.0);  // two axes: their scatters add up
+    trade.points.push_back(finer);
+    finer.size = 1e-6, finer.values[0].value = 10.9;
+    trade.points.push_back(finer);
+    trade.ownSizes["tolerance"] = 1e-4;
+    EXPECT_NEAR(scatterOf(trade, 0), 0.3 + 0.01, 1e-12);
+    trade.points[1].values[0].value = 0.0;  // absolute
+    EXPECT_NEAR(scatterOf(trade, 0), 3.0 + 0.1, 1e-12);
+    trade.quantities = {"stands"};
+    EXPECT_EQ(scatterOf(trade, 0), 0.0);
+}
+
+/// Coarse settings may miss an event; the finest three decide.
+TEST(ConvergenceOrder, DoesNotNeedValuesOfCoarseSettings) {
+    Trade trade = squareTrade();
+    trade.points.push_back(point("time_step", 4.0, 1.0, 0.0));
+    trade.points.back().values[0].value.reset();
+    EXPECT_EQ(convergenceOrder(trade, "time_step", 0).kind, ConvergenceOrder::Kind::Regular);
+    trade.points[2].values[0].value.reset();
+    EXPECT_EQ(convergenceOrder(trade, "time_step", 0).kind, ConvergenceOrder::Kind::Unknown);
+}
+
 TEST(TradeFront, HasThePointsThatNoOtherBeats) {
     Trade trade = squareTrade();
     trade.points.push_back(

@@ -94,7 +94,7 @@ TEST(Trade, ContinuesWhereItWasStopped) {
     const std::string table = test::contentOf(scratch.path() / "trade/trade.csv");
     EXPECT_TRUE(
         table.starts_with("axis,setting,quantity,value,error,wall_s,steps,passes,factorizations,unknowns,on_front,"
-                          "preset,order,expected_error,solves,memory_MB,blocks_moved\n"));
+                          "preset,order,expected_error,solves,memory_MB,blocks_moved,scatter\n"));
 }
 
 TEST(Trade, ProposesQuantitiesForASceneWithoutAny) {
