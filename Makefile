@@ -165,7 +165,8 @@ presets:
 	@sh resources/install/debian.sh python3
 	$(call build,release)
 	/usr/bin/python3 tests/presets/presets.py measure build/release/keyblock --json build/release/presets.json
-	/usr/bin/python3 tests/presets/presets.py page build/release/presets.json resources/help/presets.md
+	/usr/bin/python3 tests/presets/presets.py stiffness build/release/keyblock --json build/release/stiffness.json
+	/usr/bin/python3 tests/presets/presets.py page build/release/presets.json build/release/stiffness.json resources/help/presets.md
 
 trade:
 	@sh resources/install/debian.sh python3

@@ -4,7 +4,8 @@
 """Measures what the presets change and what they save, and writes the help page.
 
     presets.py measure PROGRAM --json FILE [--only NAME ...]    PROGRAM is keyblock; runs every scene with every preset
-    presets.py page FILE PAGE                                   writes the measurements of FILE to a help page
+    presets.py stiffness PROGRAM --json FILE [--only NAME ...]  runs every scene and a drift with stiffer contacts
+    presets.py page FILE STIFFNESS PAGE                         writes the measurements of both files to a help page
 
 The scenes are samples that leave their numerical settings to the preset: time steps are removed, divisions too where
 the bond is given per metre. Errors are differences from the preset `reference`.
@@ -12,6 +13,7 @@ the bond is given per metre. Errors are differences from the preset `reference`.
 import argparse
 import json
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -25,6 +27,10 @@ SCENES = """angle-dbolt-00 angle-rebar-00 burst-dbolt burst-rebar cone-bolt
 dbolt-table-steel drift-rebar-dbolt drift-unbolted drop-cone-bolt drop-d-bolt drop-garford drop-roofex expansion-shell
 free-fall garford impact incline plate-block pull-out-gap rebar-20 rebar-brittle rebar-stated rocking-block roofex shaken-incline shaken-record slope-safety slope-shaken
 spin split-set suspended-block swellex toppling-block tower-100 weaken-incline""".split()
+
+# Where contacts under in-situ stress decide how far a wall moves.
+STIFF_SCENES = ["deep-drift", *SCENES]
+RATIOS = [40, 120, 200, 400]
 
 # A bolt that was hit swings back at the end of the run, so whether the block is still at that moment says nothing about
 # stability.
@@ -89,6 +95,57 @@ def measure(arguments):
                 results[name][preset] = run(arguments.program, scene, preset, pathlib.Path(folder))
         print(name, *(f"{p}: {entry(name, results[name], p)}" for p in PRESETS), sep="  ", flush=True)
         arguments.json.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+
+
+def stiffness(arguments):
+    results = {}
+    for name in arguments.only or STIFF_SCENES:
+        scene = scene_of(name)
+        if "penalty_ratio" in scene.get("analysis", {}):
+            continue  # not determined by presets
+        results[name] = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for file in SAMPLES.glob("*.csv"):
+                (pathlib.Path(folder) / file.name).write_bytes(file.read_bytes())
+            for ratio in RATIOS:
+                scene.setdefault("analysis", {})["penalty_ratio"] = ratio
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                one = run(arguments.program, scene, "engineering", pathlib.Path(folder))
+                results[name][str(ratio)] = one | {"cpu": resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
+        print(name, *(f"{r}: {one['cpu']:.2f} s, {one.get('failure', one.get('stands'))}" for r, one in results[name].items()),
+              sep="  ", flush=True)
+        arguments.json.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+
+
+def moves(name):
+    return any(stage.get("kind") == "dynamic" for stage in scene_of(name).get("stages", []))
+
+
+def stiffness_table(results):
+    """Cost and effect of the penalty ratio, against the stiffest contacts."""
+    usual, stiffest = str(RATIOS[0]), str(RATIOS[-1])
+    whole = {n: r for n, r in results.items() if not any("failure" in one for one in r.values())}
+    text = row(["`penalty_ratio`", "time, static scenes", "time, scenes in motion", "work, median", "work, largest",
+                "changed verdicts", "forces in bolts, largest", "changes above 0.5 %"]) + row(["---"] * 8)
+    for ratio in map(str, RATIOS):
+        cells = [ratio]
+        for moving in (False, True):
+            runs = [r for n, r in whole.items() if moves(n) == moving]
+            cells.append(f"{sum(r[ratio]['cpu'] for r in runs) / sum(r[usual]['cpu'] for r in runs):.2f}")
+        works = {n: r[ratio]["work"] / r[usual]["work"] for n, r in whole.items() if r[usual]["work"] > 0}
+        most = max(works, key=works.get)
+        flips = [n for n, r in whole.items() if n not in REBOUNDING and r[ratio]["stands"] != r[stiffest]["stands"]]
+        found = {(n, q): e for n, r in whole.items() for q, e in errors(n, r[ratio], r[stiffest]).items()}
+        forces = max(e for (n, q), e in found.items() if kind_of(scene_of(n), q) == "forces in bolts")
+        large = {}
+        for (n, q), e in found.items():
+            if e > 0.005 and e > large.get(n, ("", 0.0))[1]:
+                large[n] = (q, e)
+        cells += [f"{median(works.values()):.2f}", f"{works[most]:.2f}" + (f" ({most})" if works[most] > 1.005 else ""),
+                  f"{len(flips)} of {len(whole)}" + (f" ({', '.join(flips)})" if flips else ""), percent(forces),
+                  "; ".join(f"{n} {percent(e)} ({q})" for n, (q, e) in large.items()) or "none"]
+        text += row(cells if ratio != stiffest else cells[:-2] + ["–", "–"])
+    return text
 
 
 def entry(name, runs, preset):
@@ -208,7 +265,7 @@ def page(arguments):
         scenes += row(cells)
     failed = [f"- {n}, {p} has no result: {one['failure']}\n" for n, r in results.items() for p, one in r.items() if "failure" in one]
     counts = {"@settings@": settings(), "@scenes@": str(len(results)), "@judged@": str(len(judged)), "@summary@": summary, "@table@": scenes,
-              "@failed@": "".join(failed) or "All runs ended with a result.\n"}
+              "@stiffness@": stiffness_table(json.loads(arguments.stiffness.read_text(encoding="utf-8"))), "@failed@": "".join(failed) or "All runs ended with a result.\n"}
     for key, value in counts.items():
         text = text.replace(key, value)
     arguments.page.write_text(text, encoding="utf-8")
@@ -222,8 +279,14 @@ def main():
     measuring.add_argument("--json", type=pathlib.Path, required=True)
     measuring.add_argument("--only", nargs="*", choices=SCENES, metavar="NAME")
     measuring.set_defaults(do=measure)
+    stiffer = commands.add_parser("stiffness")
+    stiffer.add_argument("program")
+    stiffer.add_argument("--json", type=pathlib.Path, required=True)
+    stiffer.add_argument("--only", nargs="*", choices=STIFF_SCENES, metavar="NAME")
+    stiffer.set_defaults(do=stiffness)
     writing = commands.add_parser("page")
     writing.add_argument("file", type=pathlib.Path)
+    writing.add_argument("stiffness", type=pathlib.Path)
     writing.add_argument("page", type=pathlib.Path)
     writing.set_defaults(do=page)
     arguments = parser.parse_args()

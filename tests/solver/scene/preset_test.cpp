@@ -60,6 +60,7 @@ TEST(Presets, AreFinerFromOneToTheNext) {
         EXPECT_GE(coarse.sleepTolerance, fine.sleepTolerance);
         EXPECT_GT(coarse.timeStepFactor, fine.timeStepFactor);
         EXPECT_LE(coarse.divisionsFactor, fine.divisionsFactor);
+        EXPECT_LE(coarse.penaltyRatio, fine.penaltyRatio);
     }
 }
 
