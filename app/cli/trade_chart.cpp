@@ -7,12 +7,29 @@
 #include "solver/scene/number_text.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
+#include "solver/trade/trade_errors.h"
 #include "ui/figure/trade_figure.h"
+
+#include <algorithm>
 #endif
 
 namespace keyblock::cli {
 
 #ifdef KEYBLOCK_HAS_FIGURES
+
+namespace {
+
+constexpr double leastShown = 1e-3;  // of the scatter
+
+/// How far the reference itself may be off, where quantities do not converge regularly.
+std::string uncertaintyText(const Trade& trade) {
+    double largest = 0.0;
+    for (std::size_t q = 0; q < trade.quantities.size(); ++q)
+        if (trade.points[trade.reference].values[q].value != 0.0) largest = std::max(largest, scatterOf(trade, q));
+    return largest < leastShown ? "" : ", itself known to ± " + rounded(100.0 * largest) + " %";
+}
+
+}  // namespace
 
 void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesystem::path& folder) {
     if (!trade.points.front().failure.empty()) return;
@@ -21,7 +38,7 @@ void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesyst
     chart.subtitle =
         "Each dot is a run; its error is the largest of all quantities of interest, against the run with the "
         "finest settings (" +
-        rounded(trade.points[trade.reference].seconds) + " s).";
+        rounded(trade.points[trade.reference].seconds) + " s" + uncertaintyText(trade) + ").";
     chart.foot = "Keyblock · keyblock trade";
     try {
         const std::string bytes = paintTrade(chart, PaperFormat::Svg);

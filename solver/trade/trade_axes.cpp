@@ -23,7 +23,8 @@ constexpr std::array finerAutomatic{2.0, 4.0};  // times the fineness of the sce
 constexpr std::array timeSteps{4.0, 2.0, 0.5, 0.25, 0.125};
 constexpr std::array increments{5, 20, 80};
 constexpr std::array tolerances{1e-3, 1e-4, 1e-5, 1e-6};
-constexpr std::array penalties{0.1, 0.31622776601683794, 3.1622776601683794, 10.0};  // times the scene's own
+// times the scene's own; three times the stiffest of a preset, for the same reason
+constexpr std::array penalties{0.1, 0.31622776601683794, 3.1622776601683794, 10.0, 31.622776601683793};
 constexpr std::array cellSizes{2.0, 0.5};  // times the scene's own
 constexpr std::array sleepTolerances{1e-2, 1e-3, 0.0};
 constexpr int usualIncrements = 40;  // of automatic ones, for the estimate of the cost

@@ -140,7 +140,8 @@ void TradePlot::drawAxes(Ink& ink) const {
     }
     for (const double value : error_.ticks()) {
         ink.line({left_, error_.at(value)}, {right_, error_.at(value)}, {0.13, theme_.grid});
-        ink.text({left_ - 1.0, error_.at(value) + 0.7}, tickText(value), inked(text_style::tick), Align::Right);
+        if (bottom_ - error_.at(value) > nameHeight)  // above the 0
+            ink.text({left_ - 1.0, error_.at(value) + 0.7}, tickText(value), inked(text_style::tick), Align::Right);
     }
     ink.text({left_ - 1.0, bottom_ + 0.7}, "0", inked(text_style::tick), Align::Right);
     ink.line({left_, bottom_}, {right_, bottom_}, {0.15, theme_.axis});

@@ -97,6 +97,18 @@ TEST(TradeAxes, RefineAutomaticDivisionsEverywhere) {
 }
 
 /// Increments that are coarser than the scene's own are no reference.
+/// Otherwise the error of the stiffest preset would be taken for zero.
+TEST(TradeAxes, HaveStifferContactsThanAnyPreset) {
+    const Scene scene = inclineScene(30.0, 20.0, 0.1);
+    Scene stiffest = scene;
+    axisNamed(tradeAxes(scene, {12, 0, 0, 1}), "penalty_ratio").settings.back().apply(stiffest);
+    for (const Preset preset : {Preset::Sketch, Preset::Draft, Preset::Engineering, Preset::Reference}) {
+        Analysis analysis = scene.analysis;
+        analysis.preset = preset;
+        EXPECT_GT(stiffest.analysis.penaltyRatio.value(), 2.0 * numericsOf(analysis).penaltyRatio);
+    }
+}
+
 TEST(TradeAxes, KnowTheSizeOfGivenIncrements) {
     Scene still = inclineScene(30.0, 40.0, 0.1);
     still.stages.front() = {};
