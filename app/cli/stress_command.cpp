@@ -11,6 +11,7 @@
 #include "app/cli/stop_signals.h"
 #include "app/cli/text_table.h"
 #include "solver/run/run.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/stress.h"
 
 #include <cmath>
@@ -21,13 +22,13 @@ namespace {
 
 const std::vector<TextColumn> pushColumns{{"push", Align::Left, 34},
                                           {"ending", Align::Left, 8},
-                                          {"change", Align::Right, 11},
+                                          {"change", Align::Right, 17},
                                           {"time, s", Align::Right, 9},
                                           {""}};
 
 void printPush(const StressPoint& point) {
     std::string change;
-    if (!point.quantity.empty()) change = std::isfinite(point.moved) ? shownPercent(point.moved) : "no value";
+    if (!point.quantity.empty()) change = std::isfinite(point.moved) ? changeText(point.moved) : "no value";
     std::string text = point.reason.empty() ? point.quantity : point.reason;
     for (const std::string& warning : point.warnings) text += "; warning: " + warning;
     print(textLine(pushColumns, {point.push.axis + " " + point.push.text, std::string(wordOf(point.ending)), change,

@@ -11,6 +11,7 @@
 #include "app/cli/text_table.h"
 #include "app/cli/trade_chart.h"
 #include "solver/run/run.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade.h"
 #include "solver/trade/trade_errors.h"
 #include "solver/trade/trade_folder.h"
@@ -26,8 +27,8 @@ const std::vector<TextColumn> pointColumns{
     {"settings", Align::Left, 44}, {"time, s", Align::Right, 9}, {"work", Align::Right, 9}, {""}};
 
 void printPoint(const TradePoint& point) {
-    print(
-        textLine(pointColumns, {nameOf(point), shownSeconds(point.seconds), shown(workOf(point.work)), point.failure}));
+    print(textLine(pointColumns,
+                   {nameOf(point), shownSeconds(point.seconds), threeDigits(workOf(point.work)), point.failure}));
 }
 
 void printLeftOut(const Trade& trade) {
@@ -37,7 +38,7 @@ void printLeftOut(const Trade& trade) {
 
 std::string answer(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
-    const std::string most = shown(100.0 * recommendedError) + " %";
+    const std::string most = changeText(recommendedError);
     if (best < 0) return "no settings are recommended: " + withoutRecommendation(trade, recommendedError) + "\n";
     std::string text = "recommended, within " + most + " of the finest run:\n" + sentenceOn(trade, best) + "\n";
     for (const std::string& set : trade.points[best].overrides) text += "  --set " + set + "\n";

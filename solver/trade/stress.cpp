@@ -7,6 +7,7 @@
 #include "solver/scene/check.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/preset.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade_errors.h"
 
 #include <algorithm>
@@ -26,11 +27,11 @@ bool hasKind(const Scene& scene, StageKind kind) {
                        [&](const Stage& stage) { return stage.kind == kind; });
 }
 
-std::string timesText(double factor) { return factor >= 1.0 ? "× " + rounded(factor) : "÷ " + rounded(1.0 / factor); }
+std::string factorText(double factor) { return factor >= 1.0 ? "× " + rounded(factor) : "÷ " + rounded(1.0 / factor); }
 
 StressPush pushed(const std::string& axis, double factor, bool physical, const std::string& remedy,
                   std::function<void(Scene&)> apply) {
-    return {axis, timesText(factor), std::abs(std::log10(factor)), physical, remedy, std::move(apply)};
+    return {axis, factorText(factor), std::abs(std::log10(factor)), physical, remedy, std::move(apply)};
 }
 
 void addTimeSteps(std::vector<StressPush>& pushes) {
@@ -234,18 +235,18 @@ bool breaks(const StressPoint& point) {
                                : point.ending != StressEnding::Same;
 }
 
-std::string changeText(const StressPoint& point) {
+std::string movedText(const StressPoint& point) {
     if (!std::isfinite(point.moved)) return "'" + point.quantity + "' no longer has the same kind of value";
-    return "'" + point.quantity + "' changes by " + rounded(100.0 * point.moved) + " %";
+    return "'" + point.quantity + "' changes by " + changeText(point.moved);
 }
 
 std::string endingText(const StressPoint& point) {
     switch (point.ending) {
-        case StressEnding::Same: return point.quantity.empty() ? "no quantity changes" : changeText(point);
-        case StressEnding::Moved: return changeText(point);
+        case StressEnding::Same: return point.quantity.empty() ? "no quantity changes" : movedText(point);
+        case StressEnding::Moved: return movedText(point);
         case StressEnding::Refused: return "the scene is refused: " + point.reason;
         case StressEnding::Stopped: return point.reason;
-        case StressEnding::Verdict: return "the verdict on stability changes, and " + changeText(point);
+        case StressEnding::Verdict: return "the verdict on stability changes, and " + movedText(point);
     }
     return {};
 }
@@ -334,13 +335,13 @@ int firstToBreak(const StressTest& stress) {
 std::string stressAnswer(const StressTest& stress) {
     const int first = firstToBreak(stress);
     if (first < 0)
-        return "Nothing breaks: no numerical setting moves a quantity by more than " + rounded(100.0 * stressMoved) +
-               " %, and the scene bears every push.\n";
+        return "Nothing breaks: no numerical setting moves a quantity by more than " + changeText(stressMoved) +
+               ", and the scene bears every push.\n";
     const StressPoint& point = stress.points[first];
     std::string text = "Breaks first: " + point.push.axis + " " + point.push.text + "; " + endingText(point) + ".\n";
     text += "What to set: " + point.push.remedy + ".\n";
     if (point.push.physical)
-        text += "No numerical setting moves a quantity by more than " + rounded(100.0 * stressMoved) + " %.\n";
+        text += "No numerical setting moves a quantity by more than " + changeText(stressMoved) + ".\n";
     return text;
 }
 

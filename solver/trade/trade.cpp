@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/trade/trade.h"
 
-#include "solver/scene/number_text.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade_errors.h"
 
 #include <algorithm>
@@ -50,8 +50,8 @@ private:
         if (const double expected = expectedSeconds(setting);
             settings_.budget && spent_ + expected > *settings_.budget) {
             trade_.leftOut.push_back({setting.axis, setting.text,
-                                      "would take some " + rounded(expected) + " s, of which " +
-                                          rounded(std::max(0.0, *settings_.budget - spent_)) + " s are left"});
+                                      "would take some " + threeDigits(expected) + " s, of which " +
+                                          threeDigits(std::max(0.0, *settings_.budget - spent_)) + " s are left"});
             return true;
         }
         const TradeRun run = [&](const Scene& scene, const SceneCut& cut, int threads, Sink& sink) {
@@ -74,7 +74,7 @@ private:
     std::string labelOf(const TradeSetting& setting) const {
         std::string text = "run " + std::to_string(done_) + " of " + std::to_string(std::max(done_, planned_));
         if (!trade_.points.empty())
-            text += ", some " + rounded(std::max(0.0, cost_ * trade_.points.front().seconds - spent_)) +
+            text += ", some " + threeDigits(std::max(0.0, cost_ * trade_.points.front().seconds - spent_)) +
                     " s left in all";
         return text + ", " + setting.axis + (setting.text.empty() ? "" : " " + setting.text);
     }

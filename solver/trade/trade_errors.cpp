@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/trade/trade_errors.h"
 
-#include "solver/scene/number_text.h"
+#include "solver/trade/change_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +67,6 @@ std::vector<SizedPoint> pointsAlong(const Trade& trade, const std::string& axis)
     return points;
 }
 
-std::string percent(double share) {
-    return (share > 0.0 ? "+" : share < 0.0 ? "−" : "") + rounded(100.0 * std::abs(share)) + " %";
-}
-
 /// The deviation of a number with its sign.
 double signedError(double value, double reference) {
     return reference == 0.0 ? value : (value - reference) / std::abs(reference);
@@ -79,15 +75,16 @@ double signedError(double value, double reference) {
 std::string orderDeviation(const std::string& quantity, double error) {
     const std::string kind = quantity.substr(std::string("order ").size());
     return error == 0.0 ? ", same order of " + kind
-                        : ", " + rounded(100.0 * error) + " % of the order of " + kind + " differs";
+                        : ", " + changeText(error) + " of the order of " + kind + " differs";
 }
 
 /// Part of a sentence on a number. \param scatter of its reference.
 std::string deviation(const std::string& quantity, double value, double reference, double scatter) {
     const bool absolute = reference == 0.0;
     std::string text = ", " + quantity + " " +
-                       (absolute ? rounded(value) + " instead of 0" : percent(signedError(value, reference)));
-    if (scatter >= leastListed) text += " ± " + (absolute ? rounded(scatter) : rounded(100.0 * scatter) + " %");
+                       (absolute ? threeDigits(value) + " instead of 0"
+                                 : signedChangeText(signedError(value, reference)));
+    if (scatter >= leastListed) text += " ± " + (absolute ? threeDigits(scatter) : changeText(scatter));
     return text;
 }
 
@@ -182,7 +179,7 @@ int recommendedPreset(const Trade& trade, double most) {
 std::string withoutRecommendation(const Trade& trade, double most) {
     if (trade.reference == 0)
         return "nothing finer than the scene's own settings was run, so that their error is unknown";
-    return "none of the settings gives all quantities within " + rounded(100.0 * most) + " % of the finest run";
+    return "none of the settings gives all quantities within " + changeText(most) + " of the finest run";
 }
 
 std::string nameOf(const TradePoint& point) {
@@ -199,9 +196,9 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
     if (index != 0) {
         const double faster = own.seconds / point.seconds;
         const std::string than = " than " + (point.axis == presetAxisName ? own.preset : "the scene's own settings");
-        text += faster >= 1.0 ? rounded(faster) + " × faster" + than : rounded(1.0 / faster) + " × slower" + than;
+        text += faster >= 1.0 ? timesText(faster) + " faster" + than : timesText(1.0 / faster) + " slower" + than;
     } else {
-        text += rounded(point.seconds) + " s";
+        text += threeDigits(point.seconds) + " s";
     }
     bool listed = false, others = false;  // others: with errors too small to be listed
     bool scattered = false;
@@ -219,8 +216,7 @@ std::string sentenceOn(const Trade& trade, std::size_t index) {
         listed = true;
         scattered = scattered || scatter >= leastListed;
     }
-    if (others)
-        text += (listed ? ", all else within " : ", all quantities within ") + rounded(100.0 * leastListed) + " %";
+    if (others) text += (listed ? ", all else within " : ", all quantities within ") + changeText(leastListed);
     return text + (scattered ? " (±: not regular)" : "");
 }
 

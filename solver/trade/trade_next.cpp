@@ -5,6 +5,7 @@
 #include "solver/scene/enum_names.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/preset.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade_errors.h"
 #include "solver/trade/trade_folder.h"
 
@@ -54,8 +55,7 @@ std::string costText(const TradePoint& point, const TradePoint& own, const std::
             largest = error;
             quantity = quantities[q];
         }
-    const std::string change = quantity.empty() ? "no change of any quantity"
-                                                : rounded(100.0 * largest) + " % in " + quantity;
+    const std::string change = quantity.empty() ? "no change of any quantity" : changeText(largest) + " in " + quantity;
     return change + ", measured by 'trade'";
 }
 
@@ -104,8 +104,8 @@ std::vector<NextLeftOut> measuredNext(const Scene& scene, const std::vector<Trad
     std::vector<NextLeftOut> list;
     for (const TradePoint* point : chosen)
         list.push_back({point->axis, whatText(scene, *point), costText(*point, own, quantities),
-                        rounded(100.0 * (1.0 - point->seconds / own.seconds)) + " % of the time",
-                        joined(point->overrides), true});
+                        changeText(1.0 - point->seconds / own.seconds) + " of the time", joined(point->overrides),
+                        true});
     return list;
 }
 

@@ -4,6 +4,7 @@
 
 #include "solver/results/csv.h"
 #include "solver/scene/number_text.h"
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade_errors.h"
 
 #include <algorithm>
@@ -25,17 +26,16 @@ std::vector<std::size_t> byTime(const Trade& trade) {
     return order;
 }
 
-std::string percentText(double share) { return std::isinf(share) ? "–" : rounded(100.0 * share) + " %"; }
-
 std::string errorText(const Trade& trade, const TradePoint& point, std::size_t q) {
     const auto error = errorOf(point, trade.points[trade.reference], trade.quantities, q);
-    if (error) return percentText(*error);
-    return point.values[q].value ? rounded(*point.values[q].value) : "–";
+    if (error) return changeText(*error);
+    return point.values[q].value ? threeDigits(*point.values[q].value) : "–";
 }
 
-std::string orderText(const ConvergenceOrder& order) {
+/// \param number text of a power.
+std::string orderText(const ConvergenceOrder& order, std::string (*number)(double)) {
     switch (order.kind) {
-        case ConvergenceOrder::Kind::Regular: return rounded(order.order);
+        case ConvergenceOrder::Kind::Regular: return number(order.order);
         case ConvergenceOrder::Kind::NoEffect: return "no effect";
         case ConvergenceOrder::Kind::Irregular: return "not regular";
         case ConvergenceOrder::Kind::Unknown: break;
@@ -47,7 +47,7 @@ std::string scatterText(const Trade& trade, std::size_t q) {
     const double scatter = scatterOf(trade, q);
     if (scatter == 0.0) return "";
     const bool absolute = trade.points[trade.reference].values[q].value == 0.0;
-    return "± " + (absolute ? rounded(scatter) : percentText(scatter));
+    return "± " + (absolute ? threeDigits(scatter) : changeText(scatter));
 }
 
 std::string row(const std::vector<std::string>& cells) {
@@ -71,7 +71,7 @@ std::string pointTable(const Trade& trade) {
         const TradePoint& point = trade.points[i];
         const double error = largestError(point, trade.points[trade.reference], trade.quantities);
         std::vector<std::string> cells{nameOf(point) + (isOnFront(trade, i) ? " **(front)**" : ""),
-                                       rounded(point.seconds), rounded(workOf(point.work)), percentText(error)};
+                                       threeDigits(point.seconds), threeDigits(workOf(point.work)), changeText(error)};
         for (std::size_t q = 0; q < trade.quantities.size(); ++q) cells.push_back(errorText(trade, point, q));
         text += row(cells);
     }
@@ -95,7 +95,7 @@ std::string orderTable(const Trade& trade) {
         std::vector<std::string> cells{trade.quantities[q]};
         bool any = false;
         for (const std::string& axis : axes) {
-            cells.push_back(orderText(convergenceOrder(trade, axis, q)));
+            cells.push_back(orderText(convergenceOrder(trade, axis, q), threeDigits));
             any = any || !cells.back().empty();
         }
         cells.push_back(scatterText(trade, q));
@@ -133,7 +133,7 @@ std::string presetSection(const Trade& trade) {
 
 std::string recommendation(const Trade& trade) {
     const int best = recommendedPoint(trade, recommendedError);
-    const std::string most = rounded(100.0 * recommendedError) + " %";
+    const std::string most = changeText(recommendedError);
     if (best < 0) return "No settings are recommended: " + withoutRecommendation(trade, recommendedError) + ".\n";
     const TradePoint& point = trade.points[best];
     std::string text = "**" + sentenceOn(trade, best) +
@@ -169,7 +169,7 @@ void writeTradeTable(const Trade& trade, const Scene& scene, std::ostream& out) 
             optional(errorOf(point, trade.points[trade.reference], trade.quantities, q));
             csv.number(point.seconds).integer(point.steps).integer(point.passes).integer(point.work.factorizations);
             csv.integer(point.unknowns).integer(onFront ? 1 : 0).text(point.preset);
-            csv.text(orderText(convergenceOrder(trade, point.axis, q)));
+            csv.text(orderText(convergenceOrder(trade, point.axis, q), rounded));
             if (expected != scene.about.expected.end() && point.values[q].value)
                 csv.number(expected->value == 0.0 ? *point.values[q].value
                                                   : std::abs(*point.values[q].value / expected->value - 1.0));
@@ -190,7 +190,7 @@ std::string tradePage(const Trade& trade, const Scene& scene) {
     text += recommendation(trade) + "\n";
     text +=
         "Errors are differences from the run with the finest settings (" + nameOf(reference) + "; " +
-        rounded(reference.seconds) +
+        threeDigits(reference.seconds) +
         " s). Work is in full factorizations of a thousand blocks, as in `info --json`. "
         "On the front, no other settings are both faster and more accurate. All runs but those of *threads* use one "
         "thread, and their time is that of the processor.\n";
