@@ -6,12 +6,7 @@
 // uses its settings.
 #pragma once
 
-#include <QWidget>
-
-class QBoxLayout;
-class QLabel;
-class QProgressBar;
-class QPushButton;
+#include "ui/docks/trial_panel.h"
 
 namespace keyblock {
 
@@ -20,15 +15,11 @@ class Themes;
 class TradeRuns;
 class TradeView;
 
-class AccuracyPanel : public QWidget {
+class AccuracyPanel : public TrialPanel {
     Q_OBJECT
 
 public:
     AccuracyPanel(const Themes& themes, Document& document, TradeRuns& runs, QWidget* parent = nullptr);
-
-protected:
-    /// Puts the button below the text where there is little room next to it.
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void fill();
@@ -39,10 +30,6 @@ private:
 
     Document& document_;
     TradeRuns& runs_;
-    QLabel *answer_, *detail_;
-    QBoxLayout* row_;
-    QProgressBar* progress_;
-    QPushButton *start_, *stop_;
     TradeView* chart_;
     QString used_;  // settings used last
 };

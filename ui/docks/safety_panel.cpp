@@ -7,14 +7,8 @@
 #include "ui/look/qt_text.h"
 #include "ui/runs/safety_search.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QTreeWidget>
-#include <QVariant>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -27,54 +21,21 @@ constexpr std::size_t mostNamed = 6;  // blocks
 }  // namespace
 
 SafetyPanel::SafetyPanel(SafetySearch& search, QWidget* parent)
-    : QWidget(parent), search_(search), answer_(new QLabel(this)), failure_(new QLabel(this)),
-      progress_(new QProgressBar(this)), start_(new QPushButton(tr("Find factor of safety"), this)),
-      stop_(new QPushButton(tr("Stop"), this)), runs_(new QTreeWidget(this)) {
-    setObjectName("safetyPanel");
-    setAttribute(Qt::WA_StyledBackground);
-    setAccessibleName(tr("Factor of safety"));
-    answer_->setObjectName("safetyAnswer");
-    answer_->setProperty("role", "title");
-    failure_->setProperty("role", "detail");
-    for (QLabel* label : {answer_, failure_}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-    }
-    progress_->setTextVisible(false);
-    progress_->setFixedHeight(6);
-    start_->setObjectName("safety.start");
-    stop_->setObjectName("safety.stop");
-    for (QPushButton* button : {start_, stop_}) button->setAccessibleName(button->text());
+    : TrialPanel("safety", tr("Factor of safety"), tr("Find factor of safety"), parent), search_(search),
+      runs_(new QTreeWidget(this)) {
     runs_->setObjectName("safetyRuns");
     runs_->setAccessibleName(tr("Runs with reduced strengths"));
     runs_->setRootIsDecorated(false);
     runs_->setHeaderLabels({tr("Factor"), tr("Result"), tr("Stage"), tr("Steps")});
-    auto* row = new QHBoxLayout;
-    row->addWidget(answer_, 1);
-    row->addWidget(stop_);
-    row->addWidget(start_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 6, 12, 6);
-    column->setSpacing(4);
-    column->addLayout(row);
-    column->addWidget(progress_);
-    column->addWidget(failure_);
-    column->addWidget(runs_, 1);
-    connect(start_, &QPushButton::clicked, &search, &SafetySearch::start);
-    connect(stop_, &QPushButton::clicked, &search, &SafetySearch::stop);
+    setContent(runs_);
+    connect(this, &TrialPanel::startAsked, &search, &SafetySearch::start);
+    connect(this, &TrialPanel::stopAsked, &search, &SafetySearch::stop);
     connect(&search, &SafetySearch::changed, this, &SafetyPanel::fill);
     fill();
 }
 
 void SafetyPanel::fill() {
-    const bool busy = search_.isBusy();
-    start_->setVisible(!busy);
-    stop_->setVisible(busy);
-    progress_->setVisible(busy);
-    progress_->setValue(static_cast<int>(100.0 * search_.fractionNow()));
-    answer_->setText(answer());
-    failure_->setText(failure());
-    failure_->setVisible(!failure_->text().isEmpty());
+    present(search_.isBusy(), search_.fractionNow(), answer(), failure());
     if (runs_->topLevelItemCount() != static_cast<int>(search_.runs().size())) fillRuns();
 }
 

@@ -5,18 +5,15 @@
 // found, and the blocks that fail.
 #pragma once
 
-#include <QWidget>
+#include "ui/docks/trial_panel.h"
 
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QTreeWidget;
 
 namespace keyblock {
 
 class SafetySearch;
 
-class SafetyPanel : public QWidget {
+class SafetyPanel : public TrialPanel {
     Q_OBJECT
 
 public:
@@ -29,9 +26,6 @@ private:
     QString failure() const;
 
     SafetySearch& search_;
-    QLabel *answer_, *failure_;
-    QProgressBar* progress_;
-    QPushButton *start_, *stop_;
     QTreeWidget* runs_;
 };
 

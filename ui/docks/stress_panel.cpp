@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/stress_panel.h"
 
-#include "ui/look/display.h"
+#include "solver/trade/change_text.h"
 #include "ui/runs/stress_runs.h"
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QTreeWidget>
-#include <QVariant>
-#include <QVBoxLayout>
 
 #include <cmath>
 
 namespace keyblock {
 
 namespace {
-
-constexpr int leastForStressButton = 340;  // [px] next to the text
 
 struct StressTexts {
     Q_DECLARE_TR_FUNCTIONS(StressPanel)
@@ -38,10 +30,9 @@ QString endingText(StressEnding ending) {
     return {};
 }
 
-QString changeText(const StressPoint& point) {
+QString movedText(const StressPoint& point) {
     if (point.quantity.empty()) return {};
-    return std::isfinite(point.moved) ? StressTexts::tr("%1 %").arg(Display::number(100.0 * point.moved, 2))
-                                      : StressTexts::tr("no value");
+    return std::isfinite(point.moved) ? QString::fromStdString(changeText(point.moved)) : StressTexts::tr("no value");
 }
 
 QString reasonText(const StressPoint& point) {
@@ -54,60 +45,21 @@ QString reasonText(const StressPoint& point) {
 }  // namespace
 
 StressPanel::StressPanel(StressRuns& runs, QWidget* parent)
-    : QWidget(parent), runs_(runs), answer_(new QLabel(this)), detail_(new QLabel(this)),
-      progress_(new QProgressBar(this)), start_(new QPushButton(tr("Start stress test"), this)),
-      stop_(new QPushButton(tr("Stop"), this)), pushes_(new QTreeWidget(this)) {
-    setObjectName("stressPanel");
-    setAttribute(Qt::WA_StyledBackground);
-    setAccessibleName(tr("Stress test"));
-    answer_->setObjectName("stressAnswer");
-    answer_->setProperty("role", "title");
-    detail_->setObjectName("stressDetail");
-    detail_->setProperty("role", "detail");
-    for (QLabel* label : {answer_, detail_}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-    }
-    progress_->setTextVisible(false);
-    progress_->setFixedHeight(6);
-    start_->setObjectName("stress.start");
-    stop_->setObjectName("stress.stop");
-    for (QPushButton* button : {start_, stop_}) button->setAccessibleName(button->text());
+    : TrialPanel("stress", tr("Stress test"), tr("Start stress test"), parent), runs_(runs),
+      pushes_(new QTreeWidget(this)) {
     pushes_->setObjectName("stressPushes");
     pushes_->setAccessibleName(tr("Changed settings and loads"));
     pushes_->setRootIsDecorated(false);
     pushes_->setHeaderLabels({tr("Changed"), tr("Result"), tr("Change"), tr("Quantity or reason")});
-    row_ = new QHBoxLayout;
-    row_->addWidget(answer_, 1);
-    row_->addWidget(stop_, 0, Qt::AlignTop);
-    row_->addWidget(start_, 0, Qt::AlignTop);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 6, 12, 6);
-    column->setSpacing(4);
-    column->addLayout(row_);
-    column->addWidget(progress_);
-    column->addWidget(detail_);
-    column->addWidget(pushes_, 1);
-    connect(start_, &QPushButton::clicked, &runs, &StressRuns::start);
-    connect(stop_, &QPushButton::clicked, &runs, &StressRuns::stop);
+    setContent(pushes_);
+    connect(this, &TrialPanel::startAsked, &runs, &StressRuns::start);
+    connect(this, &TrialPanel::stopAsked, &runs, &StressRuns::stop);
     connect(&runs, &StressRuns::changed, this, &StressPanel::fill);
     fill();
 }
 
-void StressPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    row_->setDirection(width() < leastForStressButton ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-}
-
 void StressPanel::fill() {
-    const bool busy = runs_.isBusy();
-    start_->setVisible(!busy);
-    stop_->setVisible(busy);
-    progress_->setVisible(busy);
-    progress_->setValue(static_cast<int>(100.0 * runs_.fraction()));
-    answer_->setText(answer());
-    detail_->setText(detail());
-    detail_->setVisible(!detail_->text().isEmpty());
+    present(runs_.isBusy(), runs_.fraction(), answer(), detail());
     if (pushes_->topLevelItemCount() != static_cast<int>(runs_.test().points.size())) fillPushes();
 }
 
@@ -139,7 +91,7 @@ void StressPanel::fillPushes() {
         const StressPoint& point = runs_.test().points[i];
         const QString reason = reasonText(point);
         auto* item = new QTreeWidgetItem(pushes_, {QString::fromStdString(point.push.axis + " " + point.push.text),
-                                                   endingText(point.ending), changeText(point), reason});
+                                                   endingText(point.ending), movedText(point), reason});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(3, reason);
         if (static_cast<int>(i) == first) broken = item;

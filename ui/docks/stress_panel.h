@@ -5,27 +5,19 @@
 // what to set, and a list of all pushes.
 #pragma once
 
-#include <QWidget>
+#include "ui/docks/trial_panel.h"
 
-class QBoxLayout;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QTreeWidget;
 
 namespace keyblock {
 
 class StressRuns;
 
-class StressPanel : public QWidget {
+class StressPanel : public TrialPanel {
     Q_OBJECT
 
 public:
     explicit StressPanel(StressRuns& runs, QWidget* parent = nullptr);
-
-protected:
-    /// Puts the button below the text where there is little room next to it.
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void fill();
@@ -34,10 +26,6 @@ private:
     QString detail() const;
 
     StressRuns& runs_;
-    QLabel *answer_, *detail_;
-    QBoxLayout* row_;
-    QProgressBar* progress_;
-    QPushButton *start_, *stop_;
     QTreeWidget* pushes_;
 };
 

@@ -11,6 +11,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
@@ -44,6 +45,23 @@ TEST_F(SafetyPanelTest, SearchOnASlopeFindsTheBracket) {
     EXPECT_TRUE(search_.found()->lower && search_.found()->upper);
     EXPECT_TRUE(panel.findChild<QLabel*>("safetyAnswer")->text().startsWith("Factor of safety between"));
     EXPECT_EQ(panel.findChild<QTreeWidget*>("safetyRuns")->topLevelItemCount(), int(search_.runs().size()));
+}
+
+/// Before any run the panel says what it does; a scene without equilibrium is refused in a sentence.
+TEST_F(SafetyPanelTest, SaysWhatItDoesAndWhyItDoesNot) {
+    SafetyPanel panel(search_);
+    panel.resize(240, 120);
+    panel.show();
+    const auto* answer = panel.findChild<QLabel*>("safetyAnswer");
+    EXPECT_TRUE(answer->text().contains("until it fails")) << answer->text().toStdString();
+    panel.resize(600, 160);
+    EXPECT_TRUE(waitFor([&] { return !panel.verticalScrollBar()->isVisible(); }, 1000)) << "there is room for all";
+    panel.resize(240, 120);
+    open(test::sample("burst-rebar.json"));
+    panel.findChild<QPushButton*>("safety.start")->click();
+    EXPECT_FALSE(search_.isBusy());
+    EXPECT_TRUE(answer->text().startsWith("A dynamic stage")) << answer->text().toStdString();
+    EXPECT_TRUE(waitFor([&] { return answer->height() >= answer->heightForWidth(answer->width()); }, 1000));
 }
 
 TEST_F(SafetyPanelTest, StopEndsTheSearchAndAnEmptySceneIsRefused) {

@@ -77,6 +77,20 @@ TEST_F(StressPanelTest, ASceneThatCannotRunIsAProblem) {
     EXPECT_FALSE(runs_.problem().isEmpty());
 }
 
+/// In a narrow, low dock the wrapped answer keeps all its lines; the panel scrolls.
+TEST_F(StressPanelTest, AnswerIsWholeInANarrowLowDock) {
+    open(0.02);
+    button("stress.start").click();
+    ASSERT_TRUE(waitFor([&] { return !runs_.isBusy(); }, 15000));
+    const auto* answer = panel_->findChild<QLabel*>("stressAnswer");
+    for (const QSize size : {QSize(220, 120), QSize(420, 100), QSize(1000, 300)}) {
+        panel_->resize(size);
+        EXPECT_TRUE(waitFor([&] { return answer->height() >= answer->heightForWidth(answer->width()); }, 1000))
+            << size.width() << " px: " << answer->height() << " of " << answer->heightForWidth(answer->width());
+        EXPECT_GE(panel_->findChild<QTreeWidget*>("stressPushes")->height(), 72);
+    }
+}
+
 /// In a narrow dock the button is below the text, whole.
 TEST_F(StressPanelTest, ButtonIsWholeInANarrowDock) {
     panel_->resize(200, 320);
