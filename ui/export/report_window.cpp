@@ -91,7 +91,7 @@ QLineEdit* ReportWindow::addLine(QFormLayout& form, const QString& label, const 
 }
 
 QLineEdit* ReportWindow::addFile(QFormLayout& form, const QString& label, const char* name, const QString& hint,
-                                 void (ReportWindow::*browse)()) {
+                                 void (ReportWindow::*browse)(), QWidget* below) {
     auto* line = new QLineEdit(this);
     line->setObjectName(name);
     line->setAccessibleName(label);
@@ -103,7 +103,11 @@ QLineEdit* ReportWindow::addFile(QFormLayout& form, const QString& label, const 
     row->setSpacing(6);
     row->addWidget(line, 1);
     row->addWidget(button);
-    form.addRow(label, row);
+    auto* column = new QVBoxLayout;  // a hidden row of the form would leave its spacing
+    column->setSpacing(4);
+    column->addLayout(row);
+    if (below) column->addWidget(below);
+    form.addRow(label, column);
     return line;
 }
 
@@ -121,12 +125,12 @@ QWidget* ReportWindow::makeForm() {
     project_ = addLine(*form, tr("Project"), "report.project", tr("left out if empty"));
     author_ = addLine(*form, tr("Author"), "report.author", tr("left out if empty"));
     date_ = addLine(*form, tr("Date"), "report.date", tr("left out if empty"));
-    template_ = addFile(*form, tr("Template"), "report.template", tr("all sections"), &ReportWindow::browseTemplate);
     templateProblem_->setWordWrap(true);
     templateProblem_->setTextFormat(Qt::PlainText);
     templateProblem_->setProperty("role", "problem");
     templateProblem_->setObjectName("report.templateProblem");
-    form->addRow(templateProblem_);
+    template_ = addFile(*form, tr("Template"), "report.template", tr("all sections"), &ReportWindow::browseTemplate,
+                        templateProblem_);
     logo_ = addFile(*form, tr("Logo"), "report.logo", tr("none"), &ReportWindow::browseLogo);
     out_ = addFile(*form, tr("File"), "report.out", {}, &ReportWindow::browseOut);
     connect(format_, qOverload<int>(&QComboBox::activated), this, &ReportWindow::followFormat);

@@ -44,7 +44,7 @@ private:
     QWidget* makeFoot();
     QLineEdit* addLine(QFormLayout& form, const QString& label, const char* name, const QString& hint);
     QLineEdit* addFile(QFormLayout& form, const QString& label, const char* name, const QString& hint,
-                       void (ReportWindow::*browse)());
+                       void (ReportWindow::*browse)(), QWidget* below = nullptr);
     void browseTemplate();
     void browseLogo();
     void browseOut();

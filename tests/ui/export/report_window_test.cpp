@@ -117,6 +117,14 @@ TEST_F(ReportWindowTest, ChosenSectionsAndTheirOrderAreKeptInATemplate) {
     EXPECT_FALSE(window_->findChild<QPushButton*>("report.create")->isEnabled()) << "a report has sections";
 }
 
+/// Lines of the form are evenly spaced while there is no problem with the template.
+TEST_F(ReportWindowTest, FormHasNoGap) {
+    window_->show();
+    settle();
+    const auto top = [&](const char* name) { return line(name)->mapTo(window_.get(), QPoint()).y(); };
+    EXPECT_EQ(top("report.logo") - top("report.template"), top("report.out") - top("report.logo"));
+}
+
 TEST_F(ReportWindowTest, WrongTemplateAndMissingLogoAreReported) {
     chooseFormat(1);
     test::putContent(folder_.path() / "wrong.txt", "[boltz]\n");
