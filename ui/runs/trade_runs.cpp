@@ -89,6 +89,7 @@ void TradeRuns::finish(const std::string& problem) {
     problem_ = QString::fromStdString(problem);
     busy_ = false;
     take();
+    Q_EMIT ended();
 }
 
 }  // namespace keyblock

@@ -37,6 +37,7 @@ public:
     bool isBusy() const { return busy_; }
 
     const Trade& trade() const { return trade_; }  // as measured so far
+    const std::shared_ptr<const Scene>& scene() const { return scene_; }  // that is measured
     const QString& problem() const { return problem_; }  // why there is no trade; empty: no error
     const QString& label() const { return label_; }  // what is being run, with the time left
     /// Completed fraction of all runs, 0 … 1.
@@ -46,6 +47,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void ended();  // all runs have been made, or they were stopped
 
 private:
     Background::Result measureAll();

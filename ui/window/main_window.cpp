@@ -97,6 +97,7 @@ MainWindow::MainWindow(Themes& themes)
     const Panels panels =
         placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
     showRunsIn(panels, runs_->runs());
+    quoteTradeIn(panels, runs_->accuracy());
     showResultsIn(panels, runs_->results());
     raiseAskedPanels(*workflow_, panels);
     connect(panels.properties, &PropertyPanel::varyAsked, studies_, &StudyRoom::vary);

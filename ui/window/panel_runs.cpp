@@ -7,6 +7,7 @@
 #include "ui/panels/summary/model_summary_panel.h"
 #include "ui/panels/tree/scene_tree.h"
 #include "ui/runs/runs.h"
+#include "ui/runs/trade_runs.h"
 #include "ui/window/place_panels.h"
 
 namespace keyblock {
@@ -34,6 +35,13 @@ void showRunsIn(const Panels& panels, Runs& runs) {
                      [summary = panels.summary, &runs] { summary->setBusy(runs.isRunning()); });
     QObject::connect(panels.tree, &SceneTree::runChosen, &runs, &Runs::open);
     list();
+}
+
+void quoteTradeIn(const Panels& panels, const TradeRuns& trade) {
+    QObject::connect(&trade, &TradeRuns::ended, panels.summary, [summary = panels.summary, &trade] {
+        if (trade.problem().isEmpty())
+            summary->setTrade({trade.scene(), trade.trade().quantities, trade.trade().points});
+    });
 }
 
 void showResultsIn(const Panels& panels, ResultCard& results) {

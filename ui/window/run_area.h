@@ -79,6 +79,8 @@ public:
     TimeCursor& cursor() { return *cursor_; }
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
+    /// Accuracy against time of the scene's settings.
+    const TradeRuns& accuracy() const { return *accuracy_; }
     ProbeBinding& probe() { return *probe_; }
     /// Whether the canvas shows results, and not the drawing.
     bool showsResults() const;

@@ -40,16 +40,25 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     return label;
 }
 
+/// Quotes a trade of the scene: the one measured in the window, or else one stored next to its file.
+void quoteTrade(ModelSummary& summary, const Scene& scene, const std::filesystem::path& file,
+                const MeasuredTrade* trade) {
+    if (trade && *trade->scene == scene)
+        summary.next = withMeasured(std::move(summary.next), scene, trade->points, trade->quantities);
+    else if (const auto stored = file.empty() ? std::nullopt : findStoredTrade(file, scene))
+        summary.next = withMeasured(std::move(summary.next), scene, stored->points, stored->quantities);
+}
+
 /// Null if the count was stopped or memory ran out.
-/// \param file of the scene, next to which a trade of it is looked for; empty: none.
+/// \param file of the scene; empty: none. \param trade null: none.
 std::shared_ptr<const ModelSummary> modelSummaryOf(const Scene& scene, const SceneCut* cut,
-                                                   const std::filesystem::path& file, const std::atomic<bool>& stop) {
+                                                   const std::filesystem::path& file, const MeasuredTrade* trade,
+                                                   const std::atomic<bool>& stop) {
     try {
         std::optional<ModelSummary> summary = makeModelSummary(cut ? cut->scene : scene, cut, &stop);
         if (!summary) return nullptr;
-        if (const auto trade = file.empty() ? std::nullopt : findStoredTrade(file, scene))
-            summary->next = withMeasured(std::move(summary->next), scene, trade->points, trade->quantities);
-        return summary ? std::make_shared<const ModelSummary>(std::move(*summary)) : nullptr;
+        quoteTrade(*summary, scene, file, trade);
+        return std::make_shared<const ModelSummary>(std::move(*summary));
     } catch (const std::exception&) {
         return nullptr;
     }
@@ -191,6 +200,11 @@ void ModelSummaryPanel::setBusy(bool busy) {
     run_->setEnabled(false);
 }
 
+void ModelSummaryPanel::setTrade(MeasuredTrade trade) {
+    trade_ = std::make_shared<const MeasuredTrade>(std::move(trade));
+    if (*trade_->scene == *document_.committed()) askLater();
+}
+
 /// Cancels the count in progress and discards its result.
 void ModelSummaryPanel::cancel() {
     if (stop_) *stop_ = true;
@@ -213,8 +227,9 @@ void ModelSummaryPanel::ask() {
     tell(tr("Counting…"));
     stop_ = std::make_shared<std::atomic<bool>>(false);
     const std::filesystem::path file = document_.path().toStdString();
-    counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut, file]() -> Background::Result {
-        auto summary = modelSummaryOf(*scene, cut.get(), file, *stop);
+    counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut, file,
+                    trade = trade_]() -> Background::Result {
+        auto summary = modelSummaryOf(*scene, cut.get(), file, trade.get(), *stop);
         return [this, stop, summary] {
             if (*stop) return;
             summary_ = summary;

@@ -6,11 +6,14 @@
 #pragma once
 
 #include "solver/run/model_summary.h"
+#include "solver/trade/trade_point.h"
 
 #include <QWidget>
 
 #include <atomic>
 #include <memory>
+#include <string>
+#include <vector>
 
 class QGridLayout;
 class QLabel;
@@ -24,6 +27,13 @@ class Commands;
 class Document;
 class Themes;
 
+/// A trade that was measured in the window, and its scene.
+struct MeasuredTrade {
+    std::shared_ptr<const Scene> scene;
+    std::vector<std::string> quantities;
+    std::vector<TradePoint> points;
+};
+
 class ModelSummaryPanel : public QWidget {
     Q_OBJECT
 
@@ -34,6 +44,12 @@ public:
     /// Pauses the computation of the summary during a run. The estimate would be inaccurate then, and computing it
     /// would slow the run down.
     void setBusy(bool busy);
+
+    /// What could be left out next is then quoted from this trade, for as long as the document has the same scene. A
+    /// trade that the command line left next to the scene's file is found without this.
+    void setTrade(MeasuredTrade trade);
+    /// The latest trade; null if there was none.
+    const std::shared_ptr<const MeasuredTrade>& trade() const { return trade_; }
 
     /// The latest summary; null while it is being computed, or if it cannot be computed.
     const std::shared_ptr<const ModelSummary>& summary() const { return summary_; }
@@ -65,6 +81,7 @@ private:
     std::shared_ptr<std::atomic<bool>> stop_;  // stop flag of the latest request; null: no request is in progress
     QTimer* calm_;
     std::shared_ptr<const ModelSummary> summary_;
+    std::shared_ptr<const MeasuredTrade> trade_;
     bool busy_ = false;
     bool narrow_ = false;  // too narrow for the reasons, which are then in tooltips
     int heightOfCosts_ = 0;  // [px] that the costs need one below the other

@@ -5,6 +5,7 @@
 // model summary has the same counts as the command line.
 #include "tests/ui/panels/form_bench.h"
 
+#include "solver/trade/trade.h"
 #include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/commands.h"
@@ -137,6 +138,49 @@ TEST(ModelSummaryPanel, ShowsTheCountsOfTheModel) {
     ASSERT_TRUE(waitFor(isRefused));
     settle();
     EXPECT_FALSE(panel.summary());
+}
+
+/// A trade that was measured in the window is quoted while the scene is the one that was measured.
+TEST(ModelSummaryPanel, QuotesATradeOfTheSceneThatWasMeasured) {
+    NEED_SCREEN();
+    Themes themes;
+    Commands commands(themes);
+    Document document;
+    Scene scene = sampleScene("burst-rebar");
+    scene.bolts.front().divisions = 120;
+    document.startNew(scene);
+    ModelSummaryPanel panel(document, commands, themes);
+    panel.resize(700, 220);
+    panel.show();
+    const auto pointOf = [](const std::string& axis, const std::string& setting, double seconds, double value) {
+        TradePoint point;
+        point.axis = axis, point.setting = setting, point.seconds = seconds;
+        point.unknowns = static_cast<int>(100.0 * seconds);
+        point.values = {Measurement{value, {}, {}}};
+        return point;
+    };
+    const auto quoted = [&] {
+        for (const ModelSummaryRow& row : modelSummaryRows(*panel.summary()))
+            if (row.next && row.why.contains("measured by 'trade'")) return row.what + ": " + row.why;
+        return QString();
+    };
+    ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
+    EXPECT_EQ(quoted(), QString());
+    panel.setTrade({document.committed(),
+                    {"max B.axial_force"},
+                    {pointOf(ownPoint, "", 10.0, 100.0), pointOf("divisions", "60", 5.5, 100.4)}});
+    ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
+    const QString text = quoted();
+    EXPECT_TRUE(text.startsWith("divisions 120 → 60") && text.contains("0.4 % in max B.axial_force") &&
+                text.contains("45 % of the time"))
+        << text.toStdString();
+    scene.bolts.front().divisions = 90;
+    document.apply("divisions", scene);
+    ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
+    EXPECT_EQ(quoted(), QString()) << "another scene";
+    document.undo().undo();
+    ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
+    EXPECT_EQ(quoted(), text);
 }
 
 TEST(ModelSummaryRows, TimesAndMemoryAreRounded) {
