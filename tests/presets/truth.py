@@ -8,7 +8,7 @@
 
 The five scenes are not among those on which the presets were measured; four are samples with other numbers. The true error is the difference from a run that
 is much finer than the reference of the trade: eight times the automatic divisions or 480, a sixteenth of the automatic time step,
-160 increments, a tolerance of 1e-7 and a penalty ratio of 1000. A stated error is met if it is within a factor of two
+160 increments, a tolerance of 1e-7 and a penalty ratio of 4000. A stated error is met if it is within a factor of two
 of the true one, if both are below 0.2 %, or, for a quantity that does not converge regularly, if the true error is within
 its stated scatter of the stated one.
 """
@@ -80,7 +80,7 @@ def scene_of(name):
 def finer(scene):
     """The scene with settings much finer than the reference of a trade."""
     fine = json.loads(json.dumps(scene))
-    fine.setdefault("analysis", {}).update({"preset": "reference", "tolerance": 1e-7, "penalty_ratio": 1000})
+    fine.setdefault("analysis", {}).update({"preset": "reference", "tolerance": 1e-7, "penalty_ratio": 4000})
     for bolt in fine.get("bolts", []):
         if bolt.get("divisions"):
             bolt["divisions"] = 480
@@ -161,7 +161,7 @@ def page(arguments):
     """Replaces the section of the page, or adds it at the end."""
     results = json.loads(arguments.file.read_text(encoding="utf-8"))
     section = TITLE + f"""
-The error that `keyblock trade` states for the preset it recommends, against the true one: five scenes that were not used to measure the presets, and runs much finer than the reference of the trade (eight times the automatic divisions or 480 equal ones, a sixteenth of the time step, 160 increments, tolerance 1e-7, penalty ratio 1000). *met*: within a factor of two, or both below {100 * SMALL:g} %. A quantity that does not converge regularly has no error to be met within a factor: it is stated with its scatter after ±, and counts as met *within ±* if the true error differs from the stated one by no more than that. Made by `tests/presets/truth.py`.
+The error that `keyblock trade` states for the preset it recommends, against the true one: five scenes that were not used to measure the presets, and runs much finer than the reference of the trade (eight times the automatic divisions or 480 equal ones, a sixteenth of the time step, 160 increments, tolerance 1e-7, penalty ratio 4000). *met*: within a factor of two, or both below {100 * SMALL:g} %. A quantity that does not converge regularly has no error to be met within a factor: it is stated with its scatter after ±, and counts as met *within ±* if the true error differs from the stated one by no more than that. Made by `tests/presets/truth.py`.
 
 | scene | preset | quantity | stated | true | met |
 | --- | --- | --- | --- | --- | --- |

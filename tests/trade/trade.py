@@ -111,11 +111,12 @@ def points_of(folder):
         for row in csv.DictReader(table):
             point = points.setdefault((row["axis"], row["setting"]), {
                 "axis": row["axis"], "setting": row["setting"], "seconds": float(row["wall_s"]),
-                "factorizations": int(row["factorizations"]), "front": row["on_front"] == "1", "errors": {}, "orders": {}})
+                "factorizations": int(row["factorizations"]), "front": row["on_front"] == "1", "errors": {}, "orders": {}, "scatters": {}})
             if row["quantity"] != "energy_error":
                 # a quantity with a value in one of two runs only is wrong altogether
                 point["errors"][row["quantity"]] = float(row["error"]) if row["error"] else math.inf
                 point["orders"][row["quantity"]] = row["order"]
+                point["scatters"][row["quantity"]] = float(row.get("scatter") or 0)
     return list(points.values())
 
 
@@ -197,7 +198,9 @@ def section(folder, name):
     text += (f"Recommended preset, to quote: **{best}.**\n\n" if best
              else f"{without[0]}\n\n")
     against = re.search(r"the finest settings \((.*); ([^;]*) s\)", page)
-    text += f"{len(points)} runs; errors against {against[1]} ({seconds(float(against[2]))} s)."
+    uncertain, scatter = max(points[0]["scatters"].items(), key=lambda item: item[1], default=("", 0.0))
+    known = f", itself known to ± {percent(scatter)} ({uncertain})" if scatter >= 1e-3 else ""
+    text += f"{len(points)} runs; errors against {against[1]} ({seconds(float(against[2]))} s){known}."
     left = page.count(": not run; ")
     if left:
         text += f" {left} runs were left out for their time" + (
