@@ -4,9 +4,9 @@
 
 #include "app/cli/output.h"
 #include "solver/files/atomic_file.h"
-#include "solver/scene/number_text.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
+#include "solver/trade/change_text.h"
 #include "solver/trade/trade_errors.h"
 #include "ui/figure/trade_figure.h"
 
@@ -26,7 +26,7 @@ std::string uncertaintyText(const Trade& trade) {
     double largest = 0.0;
     for (std::size_t q = 0; q < trade.quantities.size(); ++q)
         if (trade.points[trade.reference].values[q].value != 0.0) largest = std::max(largest, scatterOf(trade, q));
-    return largest < leastShown ? "" : ", itself known to ± " + rounded(100.0 * largest) + " %";
+    return largest < leastShown ? "" : ", itself known to ± " + changeText(largest);
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void writeTradeChart(const Trade& trade, const Scene& scene, const std::filesyst
     chart.subtitle =
         "Each dot is a run; its error is the largest of all quantities of interest, against the run with the "
         "finest settings (" +
-        rounded(trade.points[trade.reference].seconds) + " s" + uncertaintyText(trade) + ").";
+        threeDigits(trade.points[trade.reference].seconds) + " s" + uncertaintyText(trade) + ").";
     chart.foot = "Keyblock · keyblock trade";
     try {
         const std::string bytes = paintTrade(chart, PaperFormat::Svg);
