@@ -9,6 +9,7 @@
 #include "solver/results/result_names.h"
 #include "solver/scene/check.h"
 #include "solver/scene/collapse_stage.h"
+#include "ui/document/free_memory.h"
 #include "ui/runs/live_run.h"
 
 #include <pthread.h>
@@ -68,6 +69,7 @@ void RunSession::start() {
     thread_ = std::thread([this] {
         giveWayToTheWindow();
         work(ending_);
+        returnFreeMemory();
         QMetaObject::invokeMethod(this, &RunSession::finish, Qt::QueuedConnection);
     });
 }

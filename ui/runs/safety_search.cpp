@@ -5,6 +5,7 @@
 #include "solver/run/strength_reduction.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/document/document.h"
+#include "ui/document/free_memory.h"
 #include "ui/runs/run_problem.h"
 
 #include <exception>
@@ -62,6 +63,7 @@ Background::Result SafetySearch::search() {
     } catch (const std::exception& error) {
         problem = error.what();
     }
+    returnFreeMemory();
     return [this, found, problem] { finish(found, problem); };
 }
 

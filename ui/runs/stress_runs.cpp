@@ -3,6 +3,7 @@
 #include "ui/runs/stress_runs.h"
 
 #include "ui/document/document.h"
+#include "ui/document/free_memory.h"
 #include "ui/runs/run_problem.h"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ Background::Result StressRuns::pushAll() {
     } catch (const std::exception& error) {
         problem = error.what();
     }
+    returnFreeMemory();
     return [this, problem] { finish(problem); };
 }
 

@@ -3,6 +3,7 @@
 #include "ui/runs/trade_runs.h"
 
 #include "ui/document/document.h"
+#include "ui/document/free_memory.h"
 #include "ui/runs/run_problem.h"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ Background::Result TradeRuns::measureAll() {
     } catch (const std::exception& error) {
         problem = error.what();
     }
+    returnFreeMemory();
     return [this, problem] { finish(problem); };
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/document/background.h"
 #include "ui/document/document.h"
+#include "ui/document/free_memory.h"
 #include "ui/look/commands.h"
 #include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
@@ -230,6 +231,7 @@ void ModelSummaryPanel::ask() {
     counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut, file,
                     trade = trade_]() -> Background::Result {
         auto summary = modelSummaryOf(*scene, cut.get(), file, trade.get(), *stop);
+        returnFreeMemory();
         return [this, stop, summary] {
             if (*stop) return;
             summary_ = summary;
@@ -290,7 +292,8 @@ void ModelSummaryPanel::present() {
         if (part.next && !std::exchange(hasNext, true))
             addRow(row++, {tr("Could be left out next"), {}, {}, {}}, "detail", false);
         if (part.leftOut || part.next) {
-            auto* what = labelOf(table_, "cell", part.what);
+            const bool inOne = narrow_ && part.next;  // what a setting costs and saves is the reason to read on
+            auto* what = labelOf(table_, "cell", inOne ? tr("%1: %2").arg(part.what, part.why) : part.what);
             what->setWordWrap(true);
             what->setToolTip(asTip(part.why));
             grid_->addWidget(what, row, 0, 1, 3);

@@ -174,6 +174,13 @@ TEST(ModelSummaryPanel, QuotesATradeOfTheSceneThatWasMeasured) {
     EXPECT_TRUE(text.startsWith("divisions 120 → 60") && text.contains("0.4 % in max B.axial_force") &&
                 text.contains("45 % of the time"))
         << text.toStdString();
+    panel.resize(480, 220);  // no room for a column of remarks
+    const auto isShown = [&] {
+        const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const QLabel* label) { return label->text().contains("saves 45 % of the time"); });
+    };
+    EXPECT_TRUE(waitFor(isShown, 1000));
     scene.bolts.front().divisions = 90;
     document.apply("divisions", scene);
     ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
