@@ -202,6 +202,10 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{count("solves", &Incr
                                                            count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
+inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),
+                                                     count("equalSteps", &DynamicPace::equalSteps)};
+
+template <>
 inline constexpr auto rows<PointForce> = std::tuple{index("block", &PointForce::block, 0, blocks)};
 
 template <>

@@ -202,7 +202,7 @@ void SleepingStage::pass(State& state, double& time, double end, DynamicPace& pa
     const double rest = end - time;
     const double dt = pace.dt >= rest * (1.0 - 1e-9) ? rest : pace.dt;
     time = later(time, dt, end, pace.roundedUp);
-    pace.dt = std::min(2.0 * pace.dt, settings_.timeStep);
+    lengthenStep(pace, pace.dt, settings_.timeStep);
     pace.lastMove = 0.0;
     if (++state.step % stepsAPass == 0) ++engine_.health.passes;
     if (engine_.passed) engine_.passed();

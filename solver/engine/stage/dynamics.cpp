@@ -104,14 +104,6 @@ bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
 
 }  // namespace
 
-double later(double time, double dt, double end, double& roundedUp) {
-    if (dt == end - time) return end;
-    const double step = dt - roundedUp;
-    const double sum = time + step;
-    roundedUp = (sum - time) - step;
-    return sum;
-}
-
 DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt,
                            DynamicSettings settings)
     : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings) {}
@@ -298,8 +290,7 @@ StepEnding DynamicStage::find(const State& state, double time, double end, Dynam
         if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};
         if (attempted == Attempt::TooLong) {
             ++engine_.health.stepCuts;
-            dt *= 0.3;
-            pace.dt = dt;
+            dt = cutStep(pace, dt);
             if (dt >= shortestTimeStep * settings_.timeStep) continue;
             StepEnding failed{Ending::Failed, "no time step converges near " + nameOfBody(model, worst_), {}};
             if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
@@ -334,7 +325,7 @@ void DynamicStage::take(FoundStep found, State& state, double& time, double end,
     engine_.taken = std::move(found.taken);
     engine_.taken.before = std::exchange(state, std::move(found.state));
     time = later(time, found.dt, end, pace.roundedUp);
-    pace.dt = std::min(2.0 * std::max(pace.dt, found.dt), settings_.timeStep);
+    lengthenStep(pace, found.dt, settings_.timeStep);
     engine_.taken.step = ++state.step;
     countAccepted(engine_, state, found.residual);
     const Eigen::VectorXd held = heldAccelerations(state);

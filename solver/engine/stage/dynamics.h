@@ -7,6 +7,7 @@
 // released before the next step.
 #pragma once
 
+#include "solver/engine/stage/dynamic_pace.h"
 #include "solver/engine/stage/engine.h"
 #include "solver/engine/time/time_scheme.h"
 
@@ -18,19 +19,6 @@ struct DynamicSettings {
     double rhoInf = 0.8;  // spectral radius at infinite frequency, generalized-α only
     Damping damping{};
 };
-
-/// Values carried over from previous steps to the next step.
-struct DynamicPace {
-    double dt = 0.0;  // next time step to try [s]; 0: the maximum
-    double lastMove = 0.0;  // largest displacement in the previous step [m]
-    double roundedUp = 0.0;  // amount by which rounding has increased the stage's time [s]
-    bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
-};
-
-/// The time after a step of length `dt`, corrected for the rounding of the last sum, so that a million steps lose
-/// nothing (Kahan 1965). \param end the end of the stage, which a step that reaches it meets exactly [s].
-/// \param roundedUp as in `DynamicPace`; updated.
-double later(double time, double dt, double end, double& roundedUp);
 
 /// A step that was solved but has not been accepted yet.
 struct FoundStep {

@@ -12,7 +12,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Version of the store; increases with every change that an older program would misread.
-inline constexpr int version = 12;
+inline constexpr int version = 13;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL, checksum INTEGER);
