@@ -31,6 +31,7 @@ enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
 enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, EnergyTaken };
 
 constexpr double nothing = 1e-9;  // relative to the axial force; smaller values are round-off
+constexpr int betweenUpdates = 500;  // ms, while a run grows: filling tables takes the window's time
 constexpr int mostInACell = 3;  // blocks listed in a cell
 
 QTreeWidget* table(const char* name, const QString& says, const QStringList& heads, int firstNumber, int lastNumber,
@@ -136,8 +137,14 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
     column->addWidget(bolts_, 1);
     bolts_->setMinimumHeight(heightWith(bolts_, 1) + barHeight(bolts_));
     column->addStretch(0);
-    for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::runGrew})
-        connect(&cursor, signal, this, &StabilityPanel::takeRun);
+    growth_.setSingleShot(true);
+    growth_.setInterval(betweenUpdates);
+    connect(&growth_, &QTimer::timeout, this, &StabilityPanel::takeGrowth);
+    connect(&cursor, &TimeCursor::runChanged, this, &StabilityPanel::takeRun);
+    connect(&cursor, &TimeCursor::runGrew, this, [this] {
+        if (run_ && isFinished(*run_)) takeGrowth();
+        else if (!growth_.isActive()) growth_.start();
+    });
     connect(&themes, &Themes::changed, this, &StabilityPanel::fill);
     connect(&display, &Display::changed, this, &StabilityPanel::fill);
     connect(blocks_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
@@ -169,6 +176,12 @@ void StabilityPanel::takeRun() {
     fill();
 }
 
+void StabilityPanel::takeGrowth() {
+    if (!isVisible()) return;
+    readBolts();
+    fillVerdict();
+}
+
 /// Extremes are read on another thread, because reading them would block the window for too long.
 void StabilityPanel::readBolts() {
     if (!run_ || run_->frames().size() == read_ || run_->scene().bolts.empty()) return;
@@ -188,12 +201,17 @@ void StabilityPanel::readBolts() {
             if (run != run_ || ends.size() < uses.size()) return;
             uses_ = uses;
             ends_ = ends;
-            fill();
+            fillBolts();
         };
     });
 }
 
 void StabilityPanel::fill() {
+    fillVerdict();
+    fillBolts();
+}
+
+void StabilityPanel::fillVerdict() {
     const Verdict verdict = run_ ? verdictOf(run_->stageList(), run_->scene()) : Verdict{};
     const bool over = run_ && isFinished(*run_);
     QString answer = tr("Run the scene to see whether it is stable.");
@@ -205,7 +223,8 @@ void StabilityPanel::fill() {
         answer = over ? tr("Stability: undecided") : tr("Stability: not known yet");
     }
     answer_->setText(answer);
-    answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
+    const QString look = QStringLiteral("color: %1; font-weight: 600;").arg(colour.name());
+    if (answer_->styleSheet() != look) answer_->setStyleSheet(look);
     const auto worst = run_ ? worstBalanced(run_->stageList()) : std::nullopt;
     if (worst)
         worst_->setText(tr("Largest unbalanced force: block %1, %2 % of its weight")
@@ -213,7 +232,6 @@ void StabilityPanel::fill() {
                                  Display::number(100.0 * worst->health.worst.share, 2)));
     worst_->setVisible(worst.has_value());
     fillBlocks(verdict);
-    fillBolts();
 }
 
 void StabilityPanel::fillBlocks(const Verdict& verdict) {

@@ -11,6 +11,7 @@
 #include "ui/document/background.h"
 #include "ui/picture/charts/bolt_report.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -50,8 +51,10 @@ protected:
 
 private:
     void takeRun();
+    void takeGrowth();
     void readBolts();
     void fill();
+    void fillVerdict();
     void fillBlocks(const Verdict& verdict);
     void fillBolts();
     QString peakText(const BoltPeak& peak, const char* unit, double axial) const;
@@ -67,6 +70,7 @@ private:
     QTreeWidget* blocks_;
     QTreeWidget* bolts_;
     std::shared_ptr<const LiveRun> run_;  // null: no run is shown
+    QTimer growth_;  // until the panel shows what a growing run has added
     std::size_t read_ = 0;  // number of frames of the run when its bolts were last read
     std::vector<BoltUse> uses_;  // in the run so far, highest utilisation first
     std::vector<BoltEnd> ends_;  // one per bolt
