@@ -198,9 +198,11 @@ void Canvas::mapChanged() {
     Q_EMIT viewChanged();
 }
 
+/// The section is rendered after other widgets have been painted, so that the window is not busy with both at once; what
+/// is painted over it follows.
 void Canvas::schedule() {
-    sheet_->update();
-    if (section_ && !timer_->isActive()) timer_->start();
+    if (!section_) sheet_->update();
+    else if (!timer_->isActive()) timer_->start();
 }
 
 /// Applies pending changes before painting.
@@ -221,6 +223,7 @@ void Canvas::renderNow() {
         shapesChanged_ = false;
     }
     section_->render(map_.centre(), map_.pixelsPerMetre(), picture_.get());
+    sheet_->update();
 }
 
 bool Canvas::event(QEvent* event) {
