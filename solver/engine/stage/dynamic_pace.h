@@ -17,9 +17,11 @@ struct DynamicPace {
     bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
     int afterCut = 0;  // steps of equal length after the next cut, before a longer one is tried
     int equalSteps = 0;  // number of them still to make
+    double last = 0.0;  // length of the last step [s]; 0: none yet
 };
 
-/// Shortens a time step that did not converge. \return the next one to try [s].
+/// Shortens a time step that did not converge, to the length of the last step if that was shorter and not much shorter.
+/// \return the next one to try [s].
 double cutStep(DynamicPace& pace, double dt);
 
 /// Lengthens the next time step after one of length `dt`, unless steps of equal length are still to be made.

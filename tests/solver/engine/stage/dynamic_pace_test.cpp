@@ -51,6 +51,14 @@ TEST(DynamicPace, AfterASingleCutTheStepDoublesAtOnce) {
     EXPECT_DOUBLE_EQ(pace.dt, 2.0 * cut);
 }
 
+TEST(DynamicPace, AfterALongerStepThatFailsTheLastLengthIsTriedAgain) {
+    DynamicPace pace;
+    const double cut = cutStep(pace, longest);
+    lengthenStep(pace, cut, longest);
+    EXPECT_DOUBLE_EQ(cutStep(pace, pace.dt), cut);
+    EXPECT_LT(cutStep(pace, cut), cut);
+}
+
 TEST(DynamicPace, WedgedRockCutsLessThanTwoStepsInAHundred) {
     const Counts counts = stepsTo(1.0, [](double) { return 0.5 * longest; });
     EXPECT_GT(counts.cuts, 0);
