@@ -147,7 +147,7 @@ std::optional<double> bondStrength(const AnchorModel& anchor, const BoltNode& no
 void addAnchorLinks(BoltStep& step, int n) {
     const BoltNode& node = step.motion.nodes[n];
     const Slot& slot = step.motion.slots[node.slot];
-    const SlotLine line = slotLine(step.state, slot);
+    const SlotLine& line = step.lineOf(node.slot);
     if (node.normalShare > 0.0) {
         Link& l = step.toRock(LinkKind::AnchorNormal, n, slot.block, line.across, offSlot(line, node),
                               step.bolt.share * node.normalShare);

@@ -130,10 +130,11 @@ void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energ
 
 }  // namespace
 
-void addBoltLinks(const Model& model, const State& state, int index, StepProblem& problem) {
+void addBoltLinks(const Model& model, const State& state, int index, StepProblem& problem,
+                  RockGradients rockGradients) {
     const BoltMotion& motion = state.bolts[index];
     if (!acts(motion)) return;
-    BoltStep step(model, state, index, problem);
+    BoltStep step(model, state, index, problem, rockGradients);
     for (int e = 0; e < static_cast<int>(motion.elements.size()); ++e)
         if (!motion.elements[e].ruptured) addShankLinks(step, e);
     for (int n = 0; n < static_cast<int>(motion.nodes.size()); ++n)
@@ -144,7 +145,7 @@ void addBoltLinks(const Model& model, const State& state, int index, StepProblem
 double boltEnergy(const Model& model, const State& state, int bolt) {
     StepProblem links = stepForLinks(model);
     links.links.reserve(linksANode * state.bolts[bolt].nodes.size());
-    addBoltLinks(model, state, bolt, links);
+    addBoltLinks(model, state, bolt, links, RockGradients::LeftOut);
     return addLinkEnergy(links, 0.0);
 }
 

@@ -5,6 +5,7 @@
 // the whole bolt when one of them fails.
 #pragma once
 
+#include "solver/engine/bolt/bolt_step.h"
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {
@@ -13,7 +14,8 @@ namespace keyblock {
 inline constexpr std::size_t linksANode = 7;
 
 /// Adds the links of one bolt: shank, anchored points and face plate. Adds nothing if the bolt is lost or absent.
-void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
+void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem,
+                  RockGradients rockGradients = RockGradients::Given);
 
 /// Elastic energy of one bolt [J]: shank, anchored points and face plate.
 double boltEnergy(const Model& model, const State& state, int bolt);

@@ -17,16 +17,31 @@ Link& addLink(BoltStep& step, LinkKind kind, int part, double strain, double sha
 
 }  // namespace
 
-BoltStep::BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem)
+BoltStep::BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem,
+                   RockGradients rockGradients)
     : model(wholeModel), state(wholeState), bolt(wholeModel.bolts[boltIndex]), motion(wholeState.bolts[boltIndex]),
-      problem(stepProblem), index(boltIndex), firstBody(stepProblem.blocks + bolt.firstNode) {}
+      problem(stepProblem), index(boltIndex), firstBody(stepProblem.blocks + bolt.firstNode),
+      rockGradients_(rockGradients) {}
+
+const SlotLine& BoltStep::lineOf(int slot) {
+    if (slot != lastSlot_) line_ = slotLine(state, motion.slots[slot]);
+    lastSlot_ = slot;
+    return line_;
+}
+
+const BlockFrame& BoltStep::frameOfBlock(int block) {
+    if (block != lastBlock_) frame_ = frameOf(state.blocks[block]);
+    lastBlock_ = block;
+    return frame_;
+}
 
 Link& BoltStep::toRock(LinkKind kind, int node, int block, const Point& direction, double strain, double share) {
     Link& link = addLink(*this, kind, node, strain, share);
     link.a = firstBody + node;
     link.b = block;
     link.ga.head<2>() = direction;
-    link.gb = -displacementMatrix(state.blocks[block], motion.nodes[node].x).transpose() * direction;
+    if (rockGradients_ == RockGradients::Given)
+        link.gb = -displacementMatrix(frameOfBlock(block), motion.nodes[node].x).transpose() * direction;
     return link;
 }
 

@@ -9,13 +9,20 @@
 // couple (eqs. 26 and 30 of the paper achieve the same to first order).
 #pragma once
 
-#include "solver/engine/model/state.h"
+#include "solver/engine/bolt/slot_line.h"
 #include "solver/engine/step/step_problem.h"
 
 namespace keyblock {
 
+/// The gradients of a bolt's links with respect to the unknowns of blocks are left out where only strains are needed.
+enum class RockGradients { Given, LeftOut };
+
 struct BoltStep {
-    BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem);
+    BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem,
+             RockGradients rockGradients = RockGradients::Given);
+
+    /// Current line of one of the bolt's slots. Neighbouring nodes mostly ask for the same one.
+    const SlotLine& lineOf(int slot);
 
     /// Adds a link between a node and block `block` (of a slot or plate), acting along `direction`.
     /// \param strain current strain of the link
@@ -38,6 +45,14 @@ struct BoltStep {
     StepProblem& problem;
     int index;
     int firstBody;  // body of the bolt's node 0 in the step
+
+private:
+    const BlockFrame& frameOfBlock(int block);
+
+    RockGradients rockGradients_;
+    int lastSlot_ = -1, lastBlock_ = -1;  // those of the two below; −1: none yet
+    SlotLine line_;
+    BlockFrame frame_;
 };
 
 }  // namespace keyblock
