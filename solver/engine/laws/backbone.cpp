@@ -55,6 +55,7 @@ Backbone Backbone::strengthened(double factor) const {
 }
 
 double yieldForce(const Backbone& b, double accumulated) {
+    if (accumulated == 0.0 && b.plastic.size() > 1 && b.plastic[1] > 0.0) return b.force.front();  // most of a bar
     const std::size_t piece = pieceAt(b, accumulated);
     return b.force[piece] + hardening(b, piece) * (accumulated - b.plastic[piece]);
 }

@@ -7,6 +7,15 @@
 #include <numbers>
 
 namespace keyblock {
+namespace {
+
+/// `angle` plus the whole turns that bring it nearest to zero. Most angles are near it already, and `std::remainder`
+/// is slow.
+double withoutTurns(double angle) {
+    return std::abs(angle) <= std::numbers::pi ? angle : std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+}  // namespace
 
 double shearModifier(const BeamSection& s, double length, bool shears) {
     if (!shears || s.shearModulus <= 0.0) return 0.0;
@@ -46,8 +55,8 @@ BeamStrains beamStrains(const BeamPose& pose, double length0, double angle0) {
     strains.across = turnLeft(strains.along);
     strains.elongation = strains.length - length0;
     const double turned = std::atan2(chord.y(), chord.x()) - angle0;
-    const double phi1 = std::remainder(pose.theta1 - turned, 2.0 * std::numbers::pi);
-    const double phi2 = std::remainder(pose.theta2 - turned, 2.0 * std::numbers::pi);
+    const double phi1 = withoutTurns(pose.theta1 - turned);
+    const double phi2 = withoutTurns(pose.theta2 - turned);
     strains.p1 = (phi1 - phi2) / std::numbers::sqrt2;
     strains.p2 = (phi1 + phi2) / std::numbers::sqrt2;
     return strains;
