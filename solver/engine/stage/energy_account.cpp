@@ -86,13 +86,13 @@ void accountStep(const Model& model, State& state, const StepProblem& problem, c
     const SchemeFactors factors = factorsOf(options);
     // what drives a prescribed unknown works against all forces; its contribution to the motion is added with the
     // velocities
-    Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
+    std::vector<double> after;
+    linkStrains(problem, d, after);
+    Eigen::VectorXd driven = netForce(problem, d, after) + inertiaForce(model, state, factors, d);
     if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (known(problem, i)) state.energy.external -= driven[i] * d[i];
-    std::vector<double> after;
-    linkStrains(problem, d, after);
     for (std::size_t i = 0; i < after.size(); ++i) {
         const Link& link = problem.links[i];
         state.energy.damped += lawLoss(link.law, link.strain, after[i], ruleOf(problem, link));

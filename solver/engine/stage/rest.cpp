@@ -38,16 +38,17 @@ struct LinkSums {
         const std::size_t bodies = problem.blocks + problem.nodes;
         all = rock = others = springs = outerSprings = std::vector<double>(bodies, 0.0);
         for (const Link& link : problem.links) {
-            add(problem, link, link.a, link.ga);
-            if (link.b >= 0) add(problem, link, link.b, link.gb);
+            const double force = std::abs(respond(problem, link, link.strain + link.shift).force);
+            add(problem, link, link.a, link.ga, force);
+            if (link.b >= 0) add(problem, link, link.b, link.gb, force);
         }
     }
 
-    void add(const StepProblem& problem, const Link& link, int body, const Vector6& gradient) {
+    void add(const StepProblem& problem, const Link& link, int body, const Vector6& gradient, double ofLaw) {
         const int width = problem.width(body);
         const auto weight = problem.weight.segment(problem.first(body), width);
         const double pull = link.law.share * gradient.head(width).cwiseProduct(weight).norm();
-        const double force = pull * std::abs(respond(problem, link, link.strain + link.shift).force);
+        const double force = pull * ofLaw;
         const double spring = pull * link.law.stiffness * gradient.head<2>().norm();
         const std::size_t at = body;
         double& largest = ofContact(link.kind) || link.kind == LinkKind::Glue ? rock[at] : others[at];

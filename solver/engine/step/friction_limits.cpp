@@ -31,12 +31,10 @@ void setLimit(StepProblem& problem, const LimitPair& pair, double force) {
 
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     if (problem.limitPairs.empty()) return;
-    std::vector<double> strains;
-    linkStrains(problem, d, strains);
     // with mean forces over the step, friction is limited by the mean normal force, so that impulses obey Coulomb's law
     for (const LimitPair& pair : problem.limitPairs) {
-        const std::size_t from = pair.from;
-        setLimit(problem, pair, respond(problem, problem.links[from], strains[from]).force);
+        const Link& from = problem.links[pair.from];
+        setLimit(problem, pair, respond(problem, from, linkStrain(problem, from, d)).force);
     }
 }
 

@@ -48,6 +48,10 @@ void LinkRows::rates(const Eigen::VectorXd& x, std::vector<double>& result) cons
 
 void LinkRows::strains(const Eigen::VectorXd& d, std::vector<double>& result) const {
     result.resize(count());
+    if (d.isZero(0.0)) {
+        for (std::size_t i = 0; i < count(); ++i) result[i] = start_[i] + 0.0;  // no negative zeros, as below
+        return;
+    }
     forAll(count(), [&](std::size_t i) { result[i] = start_[i] + rate(i, d.data()); });
 }
 

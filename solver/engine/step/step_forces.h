@@ -11,12 +11,16 @@
 
 namespace keyblock {
 
-/// Strain of every link at displacement `d`.
+/// Strain of a link, and of every link, at displacement `d`.
+double linkStrain(const StepProblem& problem, const Link& link, const Eigen::VectorXd& d);
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);
 
 /// Net force (external minus internal) on every unknown at displacement `d`. For a prescribed unknown it is the
 /// negative of the reaction.
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// The same if the strains at `d` are known already. \param strains as returned by `linkStrains`.
+Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d, const std::vector<double>& strains);
 
 /// Generalised contact forces on every unknown over the step, before multiplication by the weight that the time scheme
 /// gives to contact forces.

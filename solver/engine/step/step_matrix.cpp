@@ -28,6 +28,23 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     return pairs;
 }
 
+template <int Height, int Width>
+void addProductOf(Matrix6& sum, double weight, const double* left, const double* right) {
+    using Left = Eigen::Matrix<double, Height, 1>;
+    using Right = Eigen::Matrix<double, Width, 1>;
+    const Left weighted = weight * Eigen::Map<const Left>(left);
+    sum.topLeftCorner<Height, Width>().noalias() += weighted * Eigen::Map<const Right>(right).transpose();
+}
+
+/// Adds `weight`·left·rightᵀ to the entries of two bodies, of which a bolt node has only three unknowns.
+void addProduct(Matrix6& sum, double weight, const double* left, bool leftIsBlock, const double* right,
+                bool rightIsBlock) {
+    if (leftIsBlock && rightIsBlock) addProductOf<6, 6>(sum, weight, left, right);
+    else if (leftIsBlock) addProductOf<6, 3>(sum, weight, left, right);
+    else if (rightIsBlock) addProductOf<3, 6>(sum, weight, left, right);
+    else addProductOf<3, 3>(sum, weight, left, right);
+}
+
 }  // namespace
 
 int StepMatrix::pairOf(int a, int b) const {
@@ -118,19 +135,21 @@ void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std:
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (weights[i] == 0.0) continue;
         const Link& link = problem.links[i];
-        const Eigen::Map<const Vector6> ga(rows.gradient(i)), gb(rows.gradient(i) + 6);
-        const Vector6 wa = weights[i] * ga, wb = weights[i] * gb;
-        ownSum(link.a).noalias() += wa * ga.transpose();
+        const double *ga = rows.gradient(i), *gb = ga + 6;
+        const bool blockA = link.a < problem.blocks, blockB = link.b < problem.blocks;
+        addProduct(ownSum(link.a), weights[i], ga, blockA, ga, blockA);
         if (link.b < 0) continue;
-        ownSum(link.b).noalias() += wb * gb.transpose();
-        if (link.a >= link.b) sumOf(linkPairs_[i]).noalias() += wa * gb.transpose();
-        else sumOf(linkPairs_[i]).noalias() += wb * ga.transpose();
+        addProduct(ownSum(link.b), weights[i], gb, blockB, gb, blockB);
+        if (link.a >= link.b) addProduct(sumOf(linkPairs_[i]), weights[i], ga, blockA, gb, blockB);
+        else addProduct(sumOf(linkPairs_[i]), weights[i], gb, blockB, ga, blockA);
     }
     const auto values = system_.values();
-    for (std::size_t p = 0; p < pairs_.size(); ++p)
-        for (int k = 0; k < 36; ++k)
-            if (const int slot = slots_[p][k]; slot >= 0)
-                values[slot] = sums_[p](k % 6, k / 6);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        const int height = problem.width(pairs_[p].first), width = problem.width(pairs_[p].second);
+        for (int column = 0; column < width; ++column)
+            for (int row = 0; row < height; ++row)
+                if (const int slot = slots_[p][row + 6 * column]; slot >= 0) values[slot] = sums_[p](row, column);
+    }
 }
 
 int StepMatrix::factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
