@@ -34,6 +34,8 @@ bool take() {
 
 }  // namespace
 
+bool hasBlasMemory(std::size_t threads) { return isAvailable(threads * bufferSize); }
+
 void reserveBlasMemory() { [[maybe_unused]] static const bool taken = take(); }
 
 }  // namespace keyblock

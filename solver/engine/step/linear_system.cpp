@@ -10,9 +10,10 @@
 // The matrix is stored in elimination order, so that a factorisation reads it in
 // place; CHOLMOD would permute a copy each time.
 //
-// Threads are deliberately not used here. CHOLMOD's threads would be nested in those
-// of the solver and make a thousand blocks five times slower; OpenBLAS would split
-// sums according to the number of cores.
+// The threads of the libraries are deliberately not used here. Those of CHOLMOD would be
+// nested in those of the solver and make a thousand blocks five times slower; OpenBLAS
+// would split sums according to the number of cores. Large factors are divided by
+// `SupernodalFactor`.
 #include "solver/engine/step/linear_system.h"
 
 #include "solver/engine/step/supernodal_factor.h"

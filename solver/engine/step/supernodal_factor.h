@@ -6,10 +6,16 @@
 // are then factored on their own. The products are those of CHOLMOD's own factorisation,
 // in the same order and with identical results. CHOLMOD starts several OpenMP parallel
 // regions per supernode, which on a single thread cost more than the loops in them.
+//
+// In a large factor, subtrees of the elimination tree are factored in parallel. Within
+// one the work is the same as without threads. Its updates of later supernodes are
+// collected and take their place in the lists when the sequence reaches them, so that
+// every sum has the same order and the same bits on any number of threads.
 #pragma once
 
 #include "solver/engine/step/supernode.h"
 
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -32,17 +38,36 @@ private:
         int done = 0;  // number of rows already used in updates
     };
 
-    void take(const cholmod_sparse& matrix, const Supernode& node);
-    void subtractAll(const cholmod_factor& factor, std::size_t s, const Supernode& node);
-    int subtract(const Supernode& from, int done, const Supernode& node);
-    void wait(std::size_t s, const Supernode& node, int done);
+    /// Arrays that a thread uses while it factors a supernode.
+    struct Workspace {
+        std::vector<int> place;  // per row: its index among the rows of the current supernode
+        std::vector<double> product;  // of `subtract`
+        std::vector<int> placeOfRow;
+    };
+
+    /// Supernodes that are factored in turn. Of their updates of later ones it keeps the heads of the lists.
+    struct Subtree {
+        int begin = 0, end = 0;
+        int lost = -1;  // first column whose pivot is not positive; −1: none
+        std::vector<std::pair<int, int>> outside;  // supernode beyond the end, and the head of the list for it
+    };
+
+    void findSubtrees(const cholmod_factor& factor);
+    bool mayUseThreads() const;
+    void prepare(Workspace& work, const cholmod_factor& factor) const;
+    int factorOne(const cholmod_sparse& matrix, cholmod_factor& factor, int s, Workspace& work, Subtree& part);
+    void factorSubtree(const cholmod_sparse& matrix, cholmod_factor& factor, Subtree& part, Workspace& work);
+    void joinLists(const Subtree& part);
+    void take(const cholmod_sparse& matrix, const Supernode& node, const Workspace& work) const;
+    void subtractAll(const cholmod_factor& factor, int s, const Supernode& node, Workspace& work, Subtree& part);
+    int subtract(const Supernode& from, int done, const Supernode& node, Workspace& work) const;
+    void wait(int s, const Supernode& node, int done, Subtree& part);
 
     std::vector<int> supernodeOf_;  // per row
-    std::vector<int> place_;  // per row: its index among the rows of the current supernode
     std::vector<int> first_;  // per supernode: head of the list of supernodes waiting to update it; −1: none
     std::vector<Waiting> waiting_;  // per supernode
-    std::vector<double> product_;  // workspace of `subtract`
-    std::vector<int> placeOfRow_;
+    std::vector<Subtree> subtrees_;  // those that are worth a thread, in order
+    std::vector<Workspace> workspaces_;  // per thread
 };
 
 }  // namespace keyblock

@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -305,6 +306,41 @@ TEST(LinearSystem, GivesTheSameBitsOnAnyThread) {
     net.system.solve(someLoad(900), x);
     EXPECT_EQ(solutionOnOwnThread(), x);
     EXPECT_NE(x, std::vector<double>(900));
+}
+
+constexpr int wideSide = 140;  // of a net so large that its factor is divided among threads
+
+struct Solved {
+    int loose = -1;
+    std::vector<double> x;
+
+    bool operator==(const Solved&) const = default;
+};
+
+Solved solvedWith(std::size_t threads, const std::vector<double>& ground) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const int n = wideSide * wideSide;
+    SpringNet net(n, denseNet(wideSide));
+    net.assemble(ground);
+    Solved solved{net.system.factor(), std::vector<double>(n)};
+    if (solved.loose < 0) net.system.solve(someLoad(n), solved.x);
+    return solved;
+}
+
+TEST(LinearSystem, GivesTheSameBitsOnAnyNumberOfThreads) {
+    const std::vector<double> ground(wideSide * wideSide, 0.25);
+    const Solved alone = solvedWith(1, ground);
+    EXPECT_EQ(alone.loose, -1);
+    EXPECT_EQ(solvedWith(2, ground), alone);
+    EXPECT_EQ(solvedWith(4, ground), alone);
+}
+
+TEST(LinearSystem, NamesTheSameLooseUnknownOnAnyNumberOfThreads) {
+    std::vector<double> ground(wideSide * wideSide, 0.25);
+    ground[wideSide + 1] = ground[wideSide * wideSide - wideSide - 2] = -1e4;
+    const Solved alone = solvedWith(1, ground);
+    EXPECT_GE(alone.loose, 0);
+    EXPECT_EQ(solvedWith(4, ground), alone);
 }
 
 }  // namespace
