@@ -213,15 +213,16 @@ void checkNames(CheckContext& context) {
                         "tunnel", context);
 }
 
+double leftOf(const CutTrace& trace) { return std::min(trace.from.x(), trace.to.x()); }
+
 /// Number of pairs of traces that cross; stops counting above the limit.
-double crossingsOf(const std::vector<CutTrace>& traces) {
+double crossingsOf(std::vector<CutTrace> traces) {
+    std::sort(traces.begin(), traces.end(), [](const CutTrace& a, const CutTrace& b) { return leftOf(a) < leftOf(b); });
     double count = 0.0;
     for (std::size_t i = 0; i < traces.size() && count <= mostCrossings; ++i) {
         const Box box = boxOf(std::vector<Point>{traces[i].from, traces[i].to});
-        for (std::size_t j = i + 1; j < traces.size(); ++j) {
-            if (std::max(traces[j].from.x(), traces[j].to.x()) < box.min.x() ||
-                std::min(traces[j].from.x(), traces[j].to.x()) > box.max.x() ||
-                std::max(traces[j].from.y(), traces[j].to.y()) < box.min.y() ||
+        for (std::size_t j = i + 1; j < traces.size() && leftOf(traces[j]) <= box.max.x(); ++j) {
+            if (std::max(traces[j].from.y(), traces[j].to.y()) < box.min.y() ||
                 std::min(traces[j].from.y(), traces[j].to.y()) > box.max.y())
                 continue;
             if (crossing(traces[i].from, traces[i].to, traces[j].from, traces[j].to))
