@@ -7,6 +7,7 @@ tilt    the same with 20 degrees of friction and a body acceleration of g sin 25
 tunnel  cells of 1 m between a fixed floor and fixed walls; those within 4 m of the middle are removed at once
 drift   the sample drift-unbolted, and with more rock around it as drift-large: the key block falls, the rest comes to rest
 collapse  a horseshoe 11 m wide in three joint sets, static, without bolts
+pulled  blocks that hang from a fixed roof on grouted bars, static, pulled down until the bond of every bar has failed
 """
 import json
 import math
@@ -148,6 +149,25 @@ def large_drift(half=27, duration=0.9):
     return {key: value for key, value in drift.items() if key not in ("expected", "quantities")}
 
 
+def pulled(blocks=20, bars=10, divisions=12):
+    """Each block moves further than the one before, so that the bars of different blocks do not fail at once."""
+    width, hanging, bolts, motions = 2.0, [], [], []
+    for i in range(blocks):
+        left = i * width
+        hanging.append(box(left, -0.6, width, 0.6))
+        motions.append({"block_at": [left + 0.5 * width, -0.5], "axis": "y", "table": [[0, 0], [1, -0.02 - 0.001 * i]]})
+        for k in range(bars):
+            x = round(left + (k + 0.5) * width / bars, 3)
+            ends = {"far_end": [x, 1.0], "head": [x, -0.2]}
+            bolts.append({"name": f"R{len(bolts) + 1}", "type": "rebar-20", "divisions": divisions} | ends)
+    roof = box(-0.5, 0, blocks * width + 1, 1.2)
+    hung = scene(f"{len(bolts)} grouted bars pulled until their bond fails", [], blocks=[roof] + hanging, bolts=bolts)
+    hung["analysis"]["gravity"] = [0, 0]
+    hung["supports"] = [{"block_at": [0.0, 0.6], "fix": "all"}]
+    hung["stages"] = [{"name": "pull", "kind": "static", "motions": motions}]
+    return hung
+
+
 def awake(scene):
     scene["analysis"]["model_everything"] = True
     return scene
@@ -168,9 +188,12 @@ def all_scenes(large):
     yield "drift-large", large_drift()
     yield "drift-large-awake", awake(large_drift())
     yield "collapse", collapse()
+    yield "pulled", pulled(blocks=2)
     if large:
+        yield "pulled", pulled()
         yield "wall-settled", wall(90, 56, steps=10000)
         yield "wall-settled", wall(180, 112, steps=10000)
         yield "wall-awake", awake(wall(90, 56, steps=20))
         yield "tilt", tilt(90, 56, steps=20)
         yield "wall-awake", awake(wall(180, 112, steps=10))
+        yield "tilt", tilt(180, 112, steps=5)
