@@ -262,12 +262,8 @@ std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int 
 }
 
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn) {
-    const std::size_t next = (static_cast<std::size_t>(turn) + 1) % block.turns.size();
-    const Point& a = corners[block.turns[turn]];
-    const Point chord = corners[block.turns[next]] - a;
-    const double length = chord.norm();
-    const Point along = chord / length;
-    return {a, along, -turnLeft(along), length};
+    const std::size_t start = turn, next = start + 1;
+    return edgeBetween(corners[block.turns[start]], corners[block.turns[next < block.turns.size() ? next : 0]]);
 }
 
 }  // namespace keyblock

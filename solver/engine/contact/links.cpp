@@ -60,12 +60,13 @@ public:
         const ContactSprings k = contactSprings(model_, c);
         const auto [open, free] = zeroPoints(c, k);
         const bool rigid = isAugmented(model_, c);
-        Link& normal = link(LinkKind::Normal, edge.outward, gapOf(state_.blocks, c));
+        const ContactStrains now = strainsOf(state_.blocks, c);
+        Link& normal = link(LinkKind::Normal, edge.outward, now.gap);
         normal.law = {c.bonded ? LawKind::Linear : LawKind::Gap, k.normal, open, 0.0, nullptr, {}, 1.0, rigid};
         if (!problem_.openings.empty()) normal.shift = c.dilation - openingOf(problem_.openings, c);
         const bool locked = frictionLocked_ || c.bonded;
         const double limit = frictionLocked_ ? std::numeric_limits<double>::infinity() : c.limit;
-        Link& friction = link(LinkKind::Friction, edge.along, slipOf(state_.blocks, c));
+        Link& friction = link(LinkKind::Friction, edge.along, now.slip);
         friction.law = {locked ? LawKind::Linear : LawKind::Capped, k.shear, free, limit, nullptr, {}, 1.0, rigid};
         const int at = static_cast<int>(problem_.links.size()) - 1;
         if (!locked) problem_.limitPairs.push_back({at, at - 1, frictionOf(model_, c)});

@@ -21,15 +21,15 @@ double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& c) {
     return edge.along.dot(contactPoint(blocks, c) - edge.start) / edge.length;
 }
 
-double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
+ContactStrains strainsOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.outward.dot(contactPoint(blocks, c) - edge.start);
+    const Point from = contactPoint(blocks, c) - edge.start;
+    return {edge.outward.dot(from), edge.along.dot(from) - c.lockPlace * edge.length};
 }
 
-double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
-    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.along.dot(contactPoint(blocks, c) - edge.start) - c.lockPlace * edge.length;
-}
+double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) { return strainsOf(blocks, c).gap; }
+
+double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) { return strainsOf(blocks, c).slip; }
 
 bool isAugmented(const Model& model, const Contact& c) {
     return model.numerics.contact == ContactMethod::AugmentedLagrangian &&
@@ -72,9 +72,10 @@ void carryShear(const Model& model, Contact& c, double strain, double force) {
 ContactForces forcesNow(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
     const ContactSprings k = contactSprings(model, c);
     const auto [open, free] = zeroPoints(c, k);
-    const double normal = std::max(0.0, k.normal * (open - gapOf(blocks, c)));
+    const ContactStrains now = strainsOf(blocks, c);
+    const double normal = std::max(0.0, k.normal * (open - now.gap));
     const double most = frictionOf(model, c) * normal;
-    return {normal, std::clamp(k.shear * (slipOf(blocks, c) - free), -most, most)};
+    return {normal, std::clamp(k.shear * (now.slip - free), -most, most)};
 }
 
 void addForces(const Model& model, Contact& c, const ContactForces& more) {
@@ -95,8 +96,9 @@ double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks,
     const double limit = c.bonded ? std::numeric_limits<double>::infinity() : c.limit;
     const Law normal{c.bonded ? LawKind::Linear : LawKind::Gap, k.normal, open, 0.0, nullptr, {}, 1.0, false};
     const Law friction{LawKind::Capped, k.shear, free, limit, nullptr, {}, 1.0, false};
-    return storedEnergy(normal, respond(normal, gapOf(blocks, c)).force) +
-           storedEnergy(friction, respond(friction, slipOf(blocks, c)).force);
+    const ContactStrains now = strainsOf(blocks, c);
+    return storedEnergy(normal, respond(normal, now.gap).force) +
+           storedEnergy(friction, respond(friction, now.slip).force);
 }
 
 }  // namespace keyblock

@@ -23,6 +23,12 @@ double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& contac
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 double slipOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
+/// Gap and slip together [m].
+struct ContactStrains {
+    double gap = 0.0, slip = 0.0;
+};
+ContactStrains strainsOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
+
 /// True if the contact uses multipliers and needs no penetration to carry force. This excludes joints for which a
 /// stiffness is specified and the ends of joined bonded faces, because these deform according to their stiffness.
 bool isAugmented(const Model& model, const Contact& contact);

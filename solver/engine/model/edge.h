@@ -16,8 +16,19 @@ struct Edge {
     double length = 0.0;
 };
 
+/// The edge from `start` to `end`, with the block on its left.
+inline Edge edgeBetween(const Point& start, const Point& end) {
+    const Point chord = end - start;
+    const double length = chord.norm();
+    const Point along = chord / length;
+    return {start, along, -turnLeft(along), length};
+}
+
 /// Edge `index` of an outline, from corner `index` to the next one.
 /// \param corners the corners of the outline, counter-clockwise [m].
-Edge edgeOf(const std::vector<Point>& corners, int index);
+inline Edge edgeOf(const std::vector<Point>& corners, int index) {
+    const std::size_t start = index, next = start + 1;
+    return edgeBetween(corners[start], corners[next < corners.size() ? next : 0]);
+}
 
 }  // namespace keyblock
