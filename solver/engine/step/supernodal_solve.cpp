@@ -4,11 +4,10 @@
 
 #include "solver/engine/step/supernode.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstring>
 #include <utility>
 
 namespace keyblock {
@@ -46,22 +45,75 @@ void solveUp(const double* corner, int stride, double* t) {
     std::copy_n(x.begin(), count, t);
 }
 
-using Solve = void (*)(const double* corner, int stride, double* t);
+/// Two numbers on which the processor calculates at once.
+using Two [[gnu::vector_size(16)]] = double;
 
-/// Functions by number of columns. Loops of known length are unrolled, because processors predict the end of short
-/// loops poorly.
-template <std::size_t... counts>
-constexpr std::array<Solve, panelColumns + 1> downBy(std::index_sequence<counts...>) {
-    return {solveDown<static_cast<int>(counts)>...};
+Two twoAt(const double* from) {
+    Two two;
+    std::memcpy(&two, from, sizeof two);
+    return two;
+}
+
+/// Subtracts from `rows` unknowns the product of `count` columns, whose first entry is at `first`, and the solved
+/// unknowns `x`. For so few columns, a call of BLAS takes longer than the product.
+template <int count>
+void subtractProduct(const double* first, int stride, int rows, const double* x, double* t) {
+    std::array<double, count> solved;
+    std::copy_n(x, count, solved.begin());
+    const auto column = [&](int j) { return first + static_cast<std::ptrdiff_t>(j) * stride; };
+    int i = 0;
+    for (; i + 4 <= rows; i += 4) {
+        Two low = twoAt(t + i), high = twoAt(t + i + 2);
+#pragma GCC unroll 12
+        for (int j = 0; j < count; ++j) {
+            low -= twoAt(column(j) + i) * solved[j];
+            high -= twoAt(column(j) + i + 2) * solved[j];
+        }
+        std::memcpy(t + i, &low, sizeof low);
+        std::memcpy(t + i + 2, &high, sizeof high);
+    }
+    for (; i < rows; ++i)
+        for (int j = 0; j < count; ++j) t[i] -= column(j)[i] * solved[j];
+}
+
+/// Subtracts from the unknowns `x` the product of the transposed columns and `rows` solved unknowns.
+template <int count>
+void subtractTransposed(const double* first, int stride, int rows, const double* solved, double* x) {
+    std::array<Two, count> sums{};
+    const auto column = [&](int j) { return first + static_cast<std::ptrdiff_t>(j) * stride; };
+    int i = 0;
+    for (; i + 2 <= rows; i += 2) {
+        const Two two = twoAt(solved + i);
+#pragma GCC unroll 12
+        for (int j = 0; j < count; ++j) sums[j] += twoAt(column(j) + i) * two;
+    }
+    for (int j = 0; j < count; ++j) {
+        double sum = sums[j][0] + sums[j][1];
+        if (i < rows) sum += column(j)[i] * solved[i];
+        x[j] -= sum;
+    }
+}
+
+/// The functions for a number of columns. Loops of known length are unrolled, because processors predict the end of
+/// short loops poorly.
+struct Panel {
+    void (*solveDown)(const double* corner, int stride, double* t);
+    void (*solveUp)(const double* corner, int stride, double* t);
+    void (*subtractProduct)(const double* first, int stride, int rows, const double* x, double* t);
+    void (*subtractTransposed)(const double* first, int stride, int rows, const double* solved, double* x);
+};
+
+template <int count>
+constexpr Panel panelOf() {
+    return {solveDown<count>, solveUp<count>, subtractProduct<count>, subtractTransposed<count>};
 }
 
 template <std::size_t... counts>
-constexpr std::array<Solve, panelColumns + 1> upBy(std::index_sequence<counts...>) {
-    return {solveUp<static_cast<int>(counts)>...};
+constexpr std::array<Panel, panelColumns + 1> panelsBy(std::index_sequence<counts...>) {
+    return {panelOf<static_cast<int>(counts)>()...};
 }
 
-constexpr auto down = downBy(std::make_index_sequence<panelColumns + 1>());
-constexpr auto up = upBy(std::make_index_sequence<panelColumns + 1>());
+constexpr auto panels = panelsBy(std::make_index_sequence<panelColumns + 1>());
 
 /// Prefetches the next triangle, whose columns are too far apart for the processor to fetch them in time by itself.
 void fetch(const Supernode& node, int begin) {
@@ -73,22 +125,22 @@ void fetch(const Supernode& node, int begin) {
 void forward(const Supernode& node, double* t) {
     for (int begin = 0; begin < node.width; begin += panelColumns) {
         const int end = std::min(begin + panelColumns, node.width);
-        down[end - begin](node.at(begin, begin), node.height, t + begin);
+        const Panel& panel = panels[end - begin];
+        panel.solveDown(node.at(begin, begin), node.height, t + begin);
         if (end < node.width) fetch(node, end);
         if (end < node.height)
-            cblas_dgemv(CblasColMajor, CblasNoTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
-                        t + begin, 1, 1.0, t + end, 1);
+            panel.subtractProduct(node.at(end, begin), node.height, node.height - end, t + begin, t + end);
     }
 }
 
 void backward(const Supernode& node, double* t) {
     for (int begin = (node.width - 1) / panelColumns * panelColumns; begin >= 0; begin -= panelColumns) {
         const int end = std::min(begin + panelColumns, node.width);
+        const Panel& panel = panels[end - begin];
         fetch(node, begin);
         if (end < node.height)
-            cblas_dgemv(CblasColMajor, CblasTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
-                        t + end, 1, 1.0, t + begin, 1);
-        up[end - begin](node.at(begin, begin), node.height, t + begin);
+            panel.subtractTransposed(node.at(end, begin), node.height, node.height - end, t + end, t + begin);
+        panel.solveUp(node.at(begin, begin), node.height, t + begin);
     }
 }
 
