@@ -104,6 +104,16 @@ void Balance::compareBodies() {
     if (!std::isfinite(allLeft)) residual_ = allLeft;
 }
 
+std::vector<int> Balance::worstBodies(double share) const {
+    std::vector<int> bodies;
+    if (worst_ < 0) return bodies;
+    const auto left = [&](int body) { return bodyResidual(*problem_, trial_->net, body); };
+    const double least = share * left(worst_) / forces_[worst_];
+    for (int body = 0; body < problem_->blocks + problem_->nodes; ++body)
+        if (left(body) > std::max(noiseOf(body), least * forces_[body])) bodies.push_back(body);
+    return bodies;
+}
+
 double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[body]; }
 
 bool Balance::within(double tolerance) const { return residual_ <= tolerance && beyond_ <= 1.0; }

@@ -34,6 +34,10 @@ public:
     /// for it (`StepProblem::mayLeave`), apart from round-off.
     bool within(double tolerance) const;
 
+    /// Bodies whose unbalanced force, relative to the forces acting on it, is more than `share` of that of the worst body,
+    /// in ascending order; without those balanced to within round-off.
+    std::vector<int> worstBodies(double share) const;
+
     /// Largest unbalanced force that is acceptable on a body [N].
     double slack(int body, double tolerance) const;
 

@@ -5,11 +5,14 @@
 #include "solver/engine/step/balance.h"
 #include "solver/engine/step/coupled_friction.h"
 #include "solver/engine/step/line_search.h"
+#include "solver/engine/step/local_step.h"
 #include "solver/engine/step/phase.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -26,6 +29,13 @@ constexpr int mostSweeps = 8, mostUseless = 2;
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
 constexpr double farFromBalance = 1e-2;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
+// Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
+// bodies that may take part at the start of a step, and after a stall; number of times in succession; and factor of the
+// residual for which they are worth another one
+constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
+constexpr int mostLocal = 3;
+constexpr double helpsLocally = 0.5;
+constexpr double productWork = 0.01;  // work of a product, in `workOf`
 // Fraction of a flat bolt law's secant that counts as its tangent after a line search has stalled: at first, and the
 // factors after a further stall and after a full step. Below the least fraction it is left out.
 constexpr double firstFirmness = 1e-3, firmer = 10.0, softer = 0.1, leastFirmness = 1e-4;
@@ -55,14 +65,16 @@ int bodyOf(const StepProblem& problem, int unknown) {
 class StepSolver::Newton {
 public:
     Newton(StepProblem& problem, StepMatrix& matrix, const SolveSettings& settings,
-           const std::function<bool()>& stopAsked)
-        : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), rows_(problem) {
+           const std::function<bool()>& stopAsked, bool isLocal = false)
+        : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), isLocal_(isLocal),
+          rows_(problem) {
         matrix_.begin(problem, rows_);
-        carried_ = DualSweeps::carriedForces(problem_, rows_);
+        if (!isLocal_) carried_ = DualSweeps::carriedForces(problem_, rows_);
     }
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
+        if (settlesLocally() && !balance_->within(settings_.tolerance)) settleLocally(mostAtStart);
         while (report_.passes <= mostPasses() && !over()) {
             iterate();
             ++report_.passes;
@@ -112,6 +124,9 @@ private:
     bool maySweep() const { return tries_ < mostSweeps && report_.passes >= settings_.sweepsFrom; }
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
+
+    /// At rest only: in motion, inertia holds loose blocks, and local solutions cost what they save.
+    bool settlesLocally() const { return rests() && !isLocal_; }
 
     void judge(Trial trial) {
         trial_ = std::move(trial);
@@ -195,9 +210,42 @@ private:
         }
         if (report_.residual > least) go(best);
         const bool strays = report_.residual > std::max(astray * before, easy);
-        if ((length >= stall && !strays) || !maySweep()) return;
+        if (length >= stall && !strays) return;
+        if (settlesLocally()) settleLocally(mostAfterStall);
+        if (!maySweep()) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
+    }
+
+    /// Solves for the worst bodies alone while all others are held, as often as it helps, unless they are more than a
+    /// share `most` of all bodies. Often a single loose block keeps the step from converging.
+    void settleLocally(double most) {
+        for (int made = 0; made < mostLocal; ++made) {
+            const std::vector<int> bodies = balance_->worstBodies(involved);
+            const double share = static_cast<double>(bodies.size()) / (problem_.blocks + problem_.nodes);
+            if (bodies.empty() || share > most) return;
+            const double before = report_.residual;
+            Eigen::VectorXd old = trial_.d;
+            judge(trialAt(problem_, rows_, solvedLocally(bodies, share)));
+            if (!(report_.residual < before)) judge(trialAt(problem_, rows_, std::move(old)));
+            if (!(report_.residual < helpsLocally * before)) return;
+        }
+    }
+
+    /// The trial displacement with that of `bodies` solved again. The work counts by their share of all bodies.
+    Eigen::VectorXd solvedLocally(const std::vector<int>& bodies, double share) {
+        LocalStep local = localStep(problem_, bodies, trial_.d);
+        Eigen::VectorXd own = local.taken(problem_, trial_.d), d = trial_.d;
+        SolveSettings settings = settings_;
+        settings.again = true;
+        settings.sweepsFrom = std::numeric_limits<int>::max();
+        settings.sweepsFirst = nullptr;
+        StepMatrix matrix;
+        const std::function<bool()> never;
+        const SolveReport report = Newton(local.problem, matrix, settings, never, true).from(own);
+        report_.work.products += std::lround(share * workOf(report.work) / productWork);
+        local.insert(problem_, own, d);
+        return d;
     }
 
     /// The tangent of a flat law says nothing of where its force will change again: with it alone, Newton's method
@@ -252,6 +300,7 @@ private:
     StepMatrix& matrix_;
     const SolveSettings& settings_;
     const std::function<bool()>& stopAsked_;
+    bool isLocal_;  // solves for some bodies of another step
     LinkRows rows_;
     Trial trial_;
     std::optional<Balance> balance_;
