@@ -3,17 +3,24 @@
 #include "solver/engine/step/trial.h"
 
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/parallel.h"
 
 #include <utility>
 
 namespace keyblock {
 namespace {
 
+constexpr std::size_t lawsATask = 4096;
+
 /// Evaluates the laws and the net forces at the current strains.
 void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     trial.laws.resize(rows.count());
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
-    for (std::size_t i = 0; i < rows.count(); ++i) respondAt(i);
+    if (rows.count() >= 2 * lawsATask) {
+        inParallel(rows.count(), lawsATask, respondAt);
+    } else {
+        for (std::size_t i = 0; i < rows.count(); ++i) respondAt(i);
+    }
     for (const LimitPair& pair : problem.limitPairs) {
         setLimit(problem, pair, trial.laws[pair.from].force);
         respondAt(static_cast<std::size_t>(pair.limited));
