@@ -26,12 +26,12 @@ constexpr int patience = 20;
 constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 // maximum number of times that sweeps are tried in a step, and that they fail
 constexpr int mostSweeps = 8, mostUseless = 2;
-constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
+constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
 constexpr double farFromBalance = 1e-2;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
 // Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
 // bodies that may take part at the start of a step, and after a stall; number of times in succession; and factor of the
-// residual for which they are worth another one
+// residual below which they are kept
 constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
 constexpr int mostLocal = 3;
 constexpr double helpsLocally = 0.5;
@@ -74,7 +74,7 @@ public:
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
-        if (settlesLocally() && !balance_->within(settings_.tolerance)) settleLocally(mostAtStart);
+        if (settlesLocally()) settleLocally(mostAtStart);
         while (report_.passes <= mostPasses() && !over()) {
             iterate();
             ++report_.passes;
@@ -142,7 +142,8 @@ private:
 
     bool over() {
         report_.stopped = stopAsked_ && stopAsked_();
-        const double tolerance = report_.passes == 0 ? std::min(quietStart, settings_.tolerance) : settings_.tolerance;
+        const bool unsolved = report_.passes == 0 && !helped_;
+        const double tolerance = unsolved ? std::min(quietStart, settings_.tolerance) : settings_.tolerance;
         report_.converged = !report_.stopped && balance_->within(tolerance);
         return report_.stopped || report_.converged || report_.singular || !std::isfinite(report_.residual);
     }
@@ -217,18 +218,18 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
-    /// Solves for the worst bodies alone while all others are held, as often as it helps, unless they are more than a
-    /// share `most` of all bodies. Often a single loose block keeps the step from converging.
+    /// Solves for the worst bodies alone while all others are held, as often as that leaves much less, unless they are
+    /// more than a share `most` of all bodies. Often a single loose block keeps the step from converging.
     void settleLocally(double most) {
-        for (int made = 0; made < mostLocal; ++made) {
+        for (int made = 0; made < mostLocal && report_.residual > easy; ++made) {
             const std::vector<int> bodies = balance_->worstBodies(involved);
             const double share = static_cast<double>(bodies.size()) / (problem_.blocks + problem_.nodes);
             if (bodies.empty() || share > most) return;
             const double before = report_.residual;
             Eigen::VectorXd old = trial_.d;
             judge(trialAt(problem_, rows_, solvedLocally(bodies, share)));
-            if (!(report_.residual < before)) judge(trialAt(problem_, rows_, std::move(old)));
-            if (!(report_.residual < helpsLocally * before)) return;
+            if (!(report_.residual < helpsLocally * before)) return judge(trialAt(problem_, rows_, std::move(old)));
+            helped_ = true;
         }
     }
 
@@ -308,6 +309,7 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
+    bool helped_ = false;  // a local solution was kept
     double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix
     int tries_ = 0, useless_ = 0;
     Trial beforeSweeps_;
