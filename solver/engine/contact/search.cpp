@@ -90,15 +90,6 @@ void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
     found.resize(kept);
 }
 
-template <typename One>
-void forEachPair(std::size_t count, const One& one) {
-    if (count < 2 * pairsATask) {
-        for (std::size_t i = 0; i < count; ++i) one(i);
-        return;
-    }
-    inParallel(count, pairsATask, one);
-}
-
 std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
     std::vector<Contact> contacts;
     contacts.reserve(std::accumulate(perPair.begin(), perPair.end(), std::size_t{0},
@@ -128,7 +119,7 @@ std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotio
                                 const std::vector<Drift>& drift) {
     const Standings standings(model, blocks, before);
     std::vector<std::vector<Contact>> perPair(corners.pairs.size());
-    forEachPair(perPair.size(), [&](std::size_t i) {
+    forEach(perPair.size(), pairsATask, [&](std::size_t i) {
         if (corners.pairs[i].empty()) return;
         const std::span<const Contact> own = contactsBetween(before, corners.pairs[i][0].a, corners.pairs[i][0].b);
         const CandidateSearch search{model, blocks, own, drift, corners.outlines, standings, corners.margin};
@@ -185,7 +176,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
     if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};
-    forEachPair(pairs.size(), [&](std::size_t i) {
+    forEach(pairs.size(), pairsATask, [&](std::size_t i) {
         const auto& [a, b] = pairs[i];
         const std::span<const Contact> own = contactsBetween(before, a, b);
         const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin};

@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::size_t linksATask = 4096;
 
-template <class One>
-void forAll(std::size_t count, const One& one) {
-    if (count < 2 * linksATask) {
-        for (std::size_t i = 0; i < count; ++i) one(i);
-        return;
-    }
-    inParallel(count, linksATask, one);
-}
-
 }  // namespace
 
 LinkRows::LinkRows(const StepProblem& problem)
@@ -43,7 +34,7 @@ LinkRows::LinkRows(const StepProblem& problem)
 
 void LinkRows::rates(const Eigen::VectorXd& x, std::vector<double>& result) const {
     result.resize(count());
-    forAll(count(), [&](std::size_t i) { result[i] = rate(i, x.data()); });
+    forEach(count(), linksATask, [&](std::size_t i) { result[i] = rate(i, x.data()); });
 }
 
 void LinkRows::strains(const Eigen::VectorXd& d, std::vector<double>& result) const {
@@ -52,7 +43,7 @@ void LinkRows::strains(const Eigen::VectorXd& d, std::vector<double>& result) co
         for (std::size_t i = 0; i < count(); ++i) result[i] = start_[i] + 0.0;  // no negative zeros, as below
         return;
     }
-    forAll(count(), [&](std::size_t i) { result[i] = start_[i] + rate(i, d.data()); });
+    forEach(count(), linksATask, [&](std::size_t i) { result[i] = start_[i] + rate(i, d.data()); });
 }
 
 Eigen::VectorXd padded(const Eigen::VectorXd& x) {

@@ -41,4 +41,11 @@ void inParallel(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
+/// Calls body(i) for every i below `count`, in parallel only if there are at least two grains.
+template <typename Body>
+void forEach(std::size_t count, std::size_t grain, const Body& body) {
+    if (count >= 2 * grain) return inParallel(count, grain, body);
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
 }  // namespace keyblock

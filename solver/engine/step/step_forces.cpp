@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t linksOfTask = 4096;
 
-template <class One>
-void forEachLink(std::size_t count, const One& one) {
-    if (count >= 2 * linksOfTask) return inParallel(count, linksOfTask, one);
-    for (std::size_t i = 0; i < count; ++i) one(i);
-}
-
 /// Product of a link's gradient and the displacement of one of its bodies, which has six unknowns or three. Two sums
 /// in parallel use the processor better than one.
 double strainDueTo(const Vector6& gradient, const double* d, bool isBlock) {
@@ -39,7 +33,7 @@ void addForce(double force, const Vector6& gradient, double* sum, bool isBlock) 
 /// Forces of the links at strains `strains`, multiplied by `Law::share`.
 std::vector<double> forcesAt(const StepProblem& problem, const std::vector<double>& strains) {
     std::vector<double> forces(strains.size());
-    forEachLink(strains.size(), [&](std::size_t i) {
+    forEach(strains.size(), linksOfTask, [&](std::size_t i) {
         const Link& link = problem.links[i];
         forces[i] = link.law.share * respond(problem, link, strains[i]).force;
     });
@@ -92,7 +86,7 @@ double linkStrain(const StepProblem& problem, const Link& link, const Eigen::Vec
 
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains) {
     strains.resize(problem.links.size());
-    forEachLink(strains.size(), [&](std::size_t i) { strains[i] = linkStrain(problem, problem.links[i], d); });
+    forEach(strains.size(), linksOfTask, [&](std::size_t i) { strains[i] = linkStrain(problem, problem.links[i], d); });
 }
 
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d) {

@@ -16,11 +16,7 @@ constexpr std::size_t lawsATask = 4096;
 void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     trial.laws.resize(rows.count());
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
-    if (rows.count() >= 2 * lawsATask) {
-        inParallel(rows.count(), lawsATask, respondAt);
-    } else {
-        for (std::size_t i = 0; i < rows.count(); ++i) respondAt(i);
-    }
+    forEach(rows.count(), lawsATask, respondAt);
     for (const LimitPair& pair : problem.limitPairs) {
         setLimit(problem, pair, trial.laws[pair.from].force);
         respondAt(static_cast<std::size_t>(pair.limited));
