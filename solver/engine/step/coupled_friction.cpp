@@ -12,9 +12,11 @@ namespace keyblock {
 namespace {
 
 constexpr int mostDirections = 8, mostAtRest = 16;  // maximum number of GMRES iterations, in motion and at rest
+constexpr int mostAccurate = 40;  // the same for accurate directions
 constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // fraction of the net force, with sliding friction
 // fraction of the net force, with sliding friction near rest: a larger error would add up to a drift
 constexpr double restTolerance = 1e-4;
+constexpr double accurateTolerance = 1e-4;  // fraction of the net force for accurate directions
 constexpr double restShare = 0.1;  // times the residual: tolerance farther from rest, but not above the tight one
 constexpr double nearBalance = 3e-3;  // residual up to which the tight tolerance applies
 constexpr double roundOff = 1e-8;  // fraction of the net force, without sliding
@@ -87,7 +89,7 @@ private:
 }  // namespace
 
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
-                           double residual, StepWork& work) {
+                           double residual, bool accurate, StepWork& work) {
     Eigen::VectorXd net = at.net;
     freeOnly(problem, net);
     Eigen::VectorXd x = matrix.solve(net, work);
@@ -100,8 +102,8 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     const bool rests = !problem.mayLeave.empty();
     const double inMotion = residual > nearBalance ? looseTolerance : tightTolerance;
     const double atRest = std::clamp(restShare * residual, restTolerance, tightTolerance);
-    const double share = !slides ? roundOff : rests ? atRest : inMotion;
-    const int most = rests ? mostAtRest : mostDirections;
+    const double share = !slides ? roundOff : accurate ? accurateTolerance : rests ? atRest : inMotion;
+    const int most = accurate ? mostAccurate : rests ? mostAtRest : mostDirections;
     const double first = start.norm(), enough = share * net.norm();
     if (!(first > enough)) return {x, slides};
     std::vector<Eigen::VectorXd> basis{start / first}, solved;
@@ -128,8 +130,9 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     if (!done && !matrix.exact()) matrix.forget();
     Eigen::VectorXd sum = x;
     for (Eigen::Index k = 0; k < weights.size(); ++k) sum += weights[k] * solved[k];
-    if ((done || left <= looseTolerance * net.norm()) && sum.dot(net) > 0.0) return {sum, slides};
-    return {x, slides, false};
+    if (!done && !(left <= looseTolerance * net.norm())) return {x, slides, false};
+    if (sum.dot(net) > 0.0) return {sum, slides};
+    return {x, slides, false, sum};
 }
 
 }  // namespace keyblock

@@ -11,6 +11,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double farthest = 4096.0;  // step length up to which resistance is looked for
 constexpr int mostRootSweeps = 30;
 constexpr double flatEnough = 1e-3;  // fraction of the slope at the start
 
@@ -104,11 +105,12 @@ private:
     double constant_ = 0.0, rate_ = 0.0;
 };
 
-double rootOf(LineSlope& slope) {
-    double low = 0.0, high = 1.0;
+/// The length at which the slope vanishes; `high` if it is still negative there.
+double rootOf(LineSlope& slope, double high) {
+    double low = 0.0;
     double atLow = slope.at(low), atHigh = slope.at(high);
     const double enough = flatEnough * std::abs(atLow);
-    if (atLow >= 0.0 || atHigh <= enough) return 1.0;
+    if (atLow >= 0.0 || atHigh <= enough) return high;
     for (int sweep = 0; sweep < mostRootSweeps; ++sweep) {  // regula falsi, Illinois
         const double middle = high - atHigh * (high - low) / (atHigh - atLow);
         const double atMiddle = slope.at(middle);
@@ -127,7 +129,20 @@ double rootOf(LineSlope& slope) {
 double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled) {
     LineSlope slope(problem, from, direction, rates, coupled);
-    const double length = rootOf(slope);
+    const double length = rootOf(slope, 1.0);
+    slope.keepLimits();
+    return length;
+}
+
+std::optional<double> longLineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+                                     const std::vector<double>& rates) {
+    LineSlope slope(problem, from, direction, rates, true);
+    double longest = 1.0;
+    while (slope.at(longest) < 0.0) {
+        longest *= 2.0;
+        if (longest > farthest) return std::nullopt;
+    }
+    const double length = rootOf(slope, longest);
     slope.keepLimits();
     return length;
 }

@@ -8,6 +8,8 @@
 
 #include "solver/engine/step/trial.h"
 
+#include <optional>
+
 namespace keyblock {
 
 /// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases at a step length
@@ -18,5 +20,10 @@ namespace keyblock {
 /// are those for the last step length tried. If false, the limits stay fixed.
 double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled);
+
+/// The same, with limits that follow, for a direction along which the resistance decreases at first. Step lengths may
+/// reach a few thousand; empty if the energy still decreases there.
+std::optional<double> longLineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+                                     const std::vector<double>& rates);
 
 }  // namespace keyblock

@@ -35,6 +35,10 @@ constexpr double helps = 0.2;  // times the previous residual: sweeps that leave
 constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
 constexpr int mostLocal = 3;
 constexpr double helpsLocally = 0.5;
+// Steps in motion that hardly converge: iterations after which loose blocks are solved for alone and wedged ones moved
+// on, and after which sweeps that have failed are tried again
+constexpr int hardFrom = 5, sweepsAgain = 12;
+constexpr double hardlyHelps = 0.9;  // times the previous residual: a step that leaves more creeps
 constexpr double productWork = 0.01;  // work of a product, in `workOf`
 // Fraction of a flat bolt law's secant that counts as its tangent after a line search has stalled: at first, and the
 // factors after a further stall and after a full step. Below the least fraction it is left out.
@@ -75,10 +79,7 @@ public:
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
         if (settlesLocally()) settleLocally(mostAtStart);
-        while (report_.passes <= mostPasses() && !over()) {
-            iterate();
-            ++report_.passes;
-        }
+        for (; !over() && report_.passes <= mostPasses(); ++report_.passes) iterate();
         d = unpadded(trial_.d);
         return report_;
     }
@@ -125,8 +126,11 @@ private:
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 
-    /// At rest only: in motion, inertia holds loose blocks, and local solutions cost what they save.
-    bool settlesLocally() const { return rests() && !isLocal_; }
+    /// True for a step in motion that hardly converges.
+    bool isHard() const { return !rests() && report_.passes >= hardFrom; }
+
+    /// In motion, inertia holds loose blocks, and local solutions cost what they save, until the step does not converge.
+    bool settlesLocally() const { return !isLocal_ && (rests() || isHard()); }
 
     void judge(Trial trial) {
         trial_ = std::move(trial);
@@ -183,18 +187,15 @@ private:
     /// search finds.
     void step() {
         if (!factor()) return;
-        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.residual, report_.work);
+        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.residual, creeps_,
+                                                     report_.work);
+        if (std::exchange(creeps_, false) && direction.uphill.size() > 0 && passesWedge(direction.uphill)) return;
         std::vector<double> rates;
         rows_.rates(direction.displacement, rates);
         ++report_.work.products;
         const Trial from = std::move(trial_);
         const double before = report_.residual;
-        const auto go = [&](double length) {
-            trial_ = from;
-            advance(problem_, rows_, direction.displacement, rates, length, trial_);
-            ++report_.work.products;
-            judge();
-        };
+        const auto go = [&](double length) { goAlong(from, direction.displacement, rates, length); };
         const std::vector<double> limits = limitsOf(problem_);
         go(1.0);
         if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance))
@@ -210,18 +211,58 @@ private:
             if (report_.residual < least) best = shorter, least = report_.residual;
         }
         if (report_.residual > least) go(best);
+        creeps_ = isHard() && report_.residual > hardlyHelps * before;
         const bool strays = report_.residual > std::max(astray * before, easy);
-        if (length >= stall && !strays) return;
+        if (length < stall || strays) afterStall();
+        else if (sweepsAreDue()) sweepAgain();
+    }
+
+    void goAlong(const Trial& from, const Eigen::VectorXd& direction, const std::vector<double>& rates, double length) {
+        trial_ = from;
+        advance(problem_, rows_, direction, rates, length, trial_);
+        ++report_.work.products;
+        judge();
+    }
+
+    /// Where blocks are wedged, pushing them may increase friction by more than the push: then the resistance is
+    /// negative, the balanced position of the present contact states lies uphill, and steps downhill creep away from it.
+    /// Moves in the opposite direction, until contacts change so that the resistance is positive again.
+    bool passesWedge(const Eigen::VectorXd& uphill) {
+        const Eigen::VectorXd down = -uphill;
+        std::vector<double> rates;
+        rows_.rates(down, rates);
+        ++report_.work.products;
+        const Trial from = trial_;
+        const std::vector<double> limits = limitsOf(problem_);
+        const std::optional<double> length = longLineSearch(problem_, from, down, rates);
+        if (length) goAlong(from, down, rates, *length);
+        else setLimits(problem_, limits);
+        return length.has_value();
+    }
+
+    /// A line search has met wrong contact states.
+    void afterStall() {
         if (settlesLocally()) settleLocally(mostAfterStall);
+        if (sweepsAreDue()) return sweepAgain();
         if (!maySweep()) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
+    bool sweepsAreDue() const {
+        return !rests() && !isLocal_ && report_.passes % sweepsAgain == sweepsAgain - 1 && report_.residual > easy;
+    }
+
+    void sweepAgain() {
+        tries_ = useless_ = 0;
+        sweeps_ = true;
+    }
+
     /// Solves for the worst bodies alone while all others are held, as often as that leaves much less, unless they are
     /// more than a share `most` of all bodies. Often a single loose block keeps the step from converging.
     void settleLocally(double most) {
-        for (int made = 0; made < mostLocal && report_.residual > easy; ++made) {
+        const double least = rests() ? easy : settings_.tolerance;
+        for (int made = 0; made < mostLocal && report_.residual > least; ++made) {
             const std::vector<int> bodies = balance_->worstBodies(involved);
             const double share = static_cast<double>(bodies.size()) / (problem_.blocks + problem_.nodes);
             if (bodies.empty() || share > most) return;
@@ -309,6 +350,7 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
+    bool creeps_ = false;  // the last step hardly reduced the residual
     bool helped_ = false;  // a local solution was kept
     double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix
     int tries_ = 0, useless_ = 0;

@@ -118,7 +118,7 @@ TEST(StepMatrix, KeptFromAnEarlierStepSolvesToRoundOff) {
         ASSERT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
         EXPECT_EQ(matrix.exact(), angle == 0.0);
         const Trial start = trialAt(problem, rows, padded(Eigen::VectorXd::Zero(6 * bodies)));
-        const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, work);
+        const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, false, work);
         const Eigen::VectorXd exact = exactly(problem);
         EXPECT_LE((unpadded(direction.displacement) - exact).norm(), 1e-6 * exact.norm()) << angle;
     }
@@ -136,7 +136,7 @@ TEST(StepMatrix, KeptFactorFollowsAWeightThatChanges) {
     matrix.begin(problem, rows);
     ASSERT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
     const Trial start = trialAt(problem, rows, padded(Eigen::VectorXd::Zero(6 * bodies)));
-    const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, work);
+    const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, false, work);
     const Eigen::VectorXd exact = exactly(problem);
     EXPECT_LE((unpadded(direction.displacement) - exact).norm(), 1e-6 * exact.norm());
 }

@@ -150,6 +150,22 @@ TEST(StepSolver, FrictionFollowsTheNormalForceWithinTheStep) {
     }
 }
 
+/// The joint slides back while the block is pushed into it, and its friction helps to push: as long as it slides, the
+/// resistance spring + penalty·(1 − 1.02) is zero or negative. Balance is only where it sticks.
+TEST(StepSolver, AWedgedBlockMovesOnUntilItSticks) {
+    SlidingJoint joint(std::numbers::pi);
+    constexpr double slip = 0.0404;  // of the joint before the step [m]
+    joint.problem.limitPairs[0].factor = 1.02;
+    joint.problem.links[1].law.offset = -slip;
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(6);
+    const SolveReport report = StepSolver().solve(joint.problem, d, {.tolerance = 1e-10}, {});
+    ASSERT_TRUE(report.converged);
+    EXPECT_LE(report.passes, 15);
+    const double sticking = (joint.problem.load[0] + joint.penalty * slip) / (joint.spring + 2.0 * joint.penalty);
+    EXPECT_NEAR(d[0], sticking, 1e-8 * sticking);
+    EXPECT_LT(joint.penalty * (slip - d[0]), joint.problem.links[1].law.limit);
+}
+
 TEST(StepSolver, NamesTheLooseBlock) {
     Scene scene = boxOnBase(30.0);
     scene.materials[0].second.density = 0.0;
