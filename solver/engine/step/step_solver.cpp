@@ -79,7 +79,10 @@ public:
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
         if (settlesLocally()) settleLocally(mostAtStart);
-        for (; !over() && report_.passes <= mostPasses(); ++report_.passes) iterate();
+        while (report_.passes <= mostPasses() && !over()) {
+            iterate();
+            ++report_.passes;
+        }
         d = unpadded(trial_.d);
         return report_;
     }
