@@ -24,9 +24,9 @@ struct Direction {
 /// the tangents of the trial; C accounts for the dependence of sliding friction on its normal forces. Without sliding,
 /// the solution is accurate to round-off. With sliding, the error f − (A + C)·x is at most a few per cent of f and
 /// decreases with `residual`. If this accuracy is not reached, or if x is not a descent direction, C is left out.
-/// \param accurate true to reduce the error to a ten-thousandth of f, with more iterations.
 /// \param matrix contains an exact or approximate factorisation of A.
 /// \param residual the relative unbalanced force of the trial.
+/// \param accurate true to reduce the error to a ten-thousandth of f, with more iterations.
 /// \return x, padded and zero for prescribed unknowns.
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
                            double residual, bool accurate, StepWork& work);
