@@ -108,6 +108,8 @@ public:
     /// True if the corner enters through `x` rather than through `y`.
     bool by(const Faced& x, const Faced& y) const {
         if (const bool flushX = goesOn(x); flushX != goesOn(y)) return flushX;
+        if (search_.estimated && isAhead(x) && isAhead(y))
+            if (const bool oldX = previous(x); oldX != static_cast<bool>(previous(y))) return oldX;
         const double tx = x.crossing(), ty = y.crossing();
         if (tx == 0.0 && ty == 0.0) {
             if (const bool oldX = carries(x); oldX != carries(y)) return oldX;
@@ -153,12 +155,20 @@ public:
     }
 
 private:
-    bool carries(const Faced& f) const {
-        if (f.gap < -over_) return false;
+    /// True if the corner is outside the line of the edge, but barely.
+    bool isAhead(const Faced& f) const { return f.gap > 0.0 && f.gap <= over_; }
+
+    /// The previous contact of the corner with this edge; null if there was none.
+    const Contact* previous(const Faced& f) const {
         Contact key;
         key.blockA = a_, key.corner = corner_, key.blockB = b_;
         key.edge = search_.model.blocks[b_].turns[f.turn];
-        const Contact* old = sameContact(search_.before, key);
+        return sameContact(search_.before, key);
+    }
+
+    bool carries(const Faced& f) const {
+        if (f.gap < -over_) return false;
+        const Contact* old = previous(f);
         return old && (old->normalForce > 0.0 || old->bonded);
     }
 

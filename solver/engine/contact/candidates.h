@@ -63,6 +63,7 @@ struct CandidateSearch {
     const std::vector<Outline>& outlines;
     const Standings& standings;
     double margin;
+    bool estimated = false;  // the path is an estimate: near a corner of block B, the edge of the last contact is kept
 
     /// Distance past the end of an edge of block B up to which a corner of block A still counts as resting on it [m].
     double slack(int a, int b) const;

@@ -136,32 +136,32 @@ std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotio
     return contacts;
 }
 
-/// Whether a contact closes on the path.
-bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance, const Contact& c) {
+/// Whether a contact closes on the path by more than `depth` [m].
+bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth, const Contact& c) {
     const Point& corner = blocks[c.blockA].corners[c.corner];
     const auto moved = [&](int block) {
         return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
     };
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
     const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
-    return edge.outward.dot(from) < c.gapOffset - tolerance;
+    return edge.outward.dot(from) < c.gapOffset - depth;
 }
 
-/// Whether every contact of a sorted list that closes on the path is also in the other list.
-bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
+/// Whether every contact of a sorted list that closes on the path by more than `depth` [m] is also in the other list.
+bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth,
                   const std::vector<Contact>& contacts, const std::vector<Contact>& others) {
     auto next = others.begin();
     return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
         while (next != others.end() && comesBefore(*next, c)) ++next;
         const bool known = next != others.end() && !comesBefore(c, *next);
-        return !known && !c.bonded && closes(blocks, drift, tolerance, c);
+        return !known && !c.bonded && closes(blocks, drift, depth, c);
     });
 }
 
-/// Whether both lists have the same contacts among those that close on the path.
-bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
+/// Whether both lists have the same contacts among those that close on the path by more than `depth` [m].
+bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth,
                    const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
-    return hasEntrances(blocks, drift, tolerance, now, contacts) && hasEntrances(blocks, drift, tolerance, contacts, now);
+    return hasEntrances(blocks, drift, depth, now, contacts) && hasEntrances(blocks, drift, depth, contacts, now);
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     forEach(pairs.size(), pairsATask, [&](std::size_t i) {
         const auto& [a, b] = pairs[i];
         const std::span<const Contact> own = contactsBetween(before, a, b);
-        const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin};
+        const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
         std::vector<Contact>& found = perPair[i];
         found = candidatesOf(search, a, b, asked.corners ? &asked.corners->pairs[i] : nullptr);
         dropDoubles(search, found);
@@ -200,19 +200,20 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path) {
+                   const FoundCorners& found, const Eigen::VectorXd& path, double depth) {
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
-    if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
+    if (!staysNear(model, blocks, drift, found.margin))
+        return entrancesHold(model, blocks, contacts, found.margin, path, depth);
     const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);
-    return sameEntrances(blocks, drift, model.tolerance, contacts, now);
+    return sameEntrances(blocks, drift, depth, contacts, now);
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path) {
+                   double margin, const Eigen::VectorXd& path, double depth) {
     const std::vector<Contact> now =
         findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr, nullptr});
-    return sameEntrances(blocks, driftOf(blocks, &path), model.tolerance, contacts, now);
+    return sameEntrances(blocks, driftOf(blocks, &path), depth, contacts, now);
 }
 
 }  // namespace keyblock

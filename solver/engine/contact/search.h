@@ -34,6 +34,7 @@ struct ContactSearch {
     const Eigen::VectorXd* path = nullptr;  // displacement over the coming step; null: at rest
     double* released = nullptr;  // receives the elastic energy released by contacts that ended or changed [J]
     FoundCorners* corners = nullptr;  // receives the corners found
+    bool estimated = false;  // the path is an estimate: a corner at another corner keeps the edge of its last contact
 };
 
 /// Finds the contacts within the margin, sorted by block pair, corner and edge, with the history from `before`. If two
@@ -48,12 +49,12 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                                   const std::vector<Contact>& before, double margin, bool first);
 
 /// Checks `contacts` against a displacement `path` that was not known when they were found: false if a corner would
-/// enter a block through an edge other than the one in `contacts`. The first overload uses `found`, the result of the
-/// search for `contacts`; the second searches again with the same margin.
+/// enter a block by more than `depth` [m] through an edge other than the one in `contacts`. The first overload uses
+/// `found`, the result of the search for `contacts`; the second searches again with the same margin.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path);
+                   const FoundCorners& found, const Eigen::VectorXd& path, double depth);
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path);
+                   double margin, const Eigen::VectorXd& path, double depth);
 
 }  // namespace keyblock

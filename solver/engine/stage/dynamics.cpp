@@ -207,7 +207,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         FoundCorners corners;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
                                             {2.0 * margin + widestOpening(state), false, false, &path,
-                                             &trial.state.energy.released, &corners});
+                                             &trial.state.energy.released, &corners, paths == 0});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = start;
@@ -225,7 +225,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             continue;
         }
         if (paths < mostPathsOfAStep && move > pathOfSmallest * model.smallest &&
-            !entrancesHold(model, state.blocks, trial.state.contacts, corners, d)) {
+            !entrancesHold(model, state.blocks, trial.state.contacts, corners, d, model.tolerance)) {
             path = start = d;
             ++paths;
             continue;

@@ -201,9 +201,39 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
         const std::vector<Contact> contacts =
             findContacts(found.model, found.state.blocks, {}, {0.5, false, false, path, nullptr});
         EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
-        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path, found.model.tolerance));
         const Eigen::VectorXd& other = path == &over ? beside : over;
-        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other));
+        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other, found.model.tolerance));
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other, 1.0));  // none enters so far
+    }
+}
+
+/// Direction in which block 0 pushes block 1 in all contacts between them; zero if they differ or there are none.
+Point pushOf(const Found& found, const std::vector<Contact>& contacts) {
+    Point push(0.0, 0.0);
+    for (const Contact& c : contacts) {
+        const Point normal = edgeOf(found.state.blocks[c.blockB].corners, c.edge).outward;
+        const Point now = c.blockA == 1 ? normal : Point(-normal);
+        if (push.norm() > 0.0 && (push - now).norm() > 1e-12) return {0.0, 0.0};
+        push = now;
+    }
+    return push;
+}
+
+/// Directly at a corner, an estimated path says little; it decides only once the corners are farther apart.
+TEST(Contacts, AnEstimatedPathDoesNotChangeTheEdgeOfACornerAtACorner) {
+    const Eigen::VectorXd over = pathOf({-0.3, -0.1}), beside = pathOf({-0.1, -0.3});
+    for (const auto& [apart, kept] : {std::pair(1e-7, true), std::pair(1e-3, false)}) {
+        const Found found(boxes({{{0, 0}, {1, 1}}, {{1 + apart, 1 + apart}, {2, 2}}}));
+        const auto search = [&](const Eigen::VectorXd& path, const std::vector<Contact>& before, bool estimated) {
+            return pushOf(found, findContacts(found.model, found.state.blocks, before,
+                                              {0.5, false, false, &path, nullptr, nullptr, estimated}));
+        };
+        const std::vector<Contact> last = findContacts(found.model, found.state.blocks, {},
+                                                       {0.5, false, false, &over, nullptr});
+        ASSERT_LT((pushOf(found, last) - Point(0, 1)).norm(), 1e-12);
+        EXPECT_LT((search(beside, last, true) - (kept ? Point(0, 1) : Point(1, 0))).norm(), 1e-12);
+        EXPECT_LT((search(beside, last, false) - Point(1, 0)).norm(), 1e-12);
     }
 }
 
