@@ -25,6 +25,7 @@ namespace keyblock {
 namespace {
 
 constexpr double moveShare = 0.03;  // of a block's size: its longest move in one pseudo-step
+constexpr double fallShare = 0.1;  // the same for a block that is seen to fall and is followed
 constexpr double sureMoveShare = 0.25;  // of the smallest block's size: minimum range of the contact search
 constexpr double moveRoom = 1.5;  // over the move expected from the last step: range of the contact search
 constexpr double drivenShare = 0.05;  // of the smallest block's size: travel of a motion or dilation in one search
@@ -400,7 +401,9 @@ private:
             const double move = blockMove(model_, problem, d, i);
             moves.blocks.push_back(move);
             moves.largest = std::max(moves.largest, move);
-            const double most = driven_ ? moveLimit_ : std::min(reach_, moveShare * model_.blocks[i].size);
+            const bool followed = settings_.followsFalls && falls_.falls(state_.blocks, static_cast<int>(i));
+            const double share = followed ? fallShare : moveShare;
+            const double most = driven_ ? moveLimit_ : std::min(reach_, share * model_.blocks[i].size);
             moves.overLimit = std::max(moves.overLimit, move / most);
         }
         return moves;

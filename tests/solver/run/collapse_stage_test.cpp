@@ -69,6 +69,14 @@ TEST(CollapseStage, FollowsTheSlidingBlock) {
     EXPECT_NEAR(wayIn(results, 2), 0.5 * a * duration * duration, 5e-3 * a * duration * duration);
 }
 
+/// A search ends when the block has moved by its size. In steps of at most 0.03 times its size this takes over 33 steps;
+/// once it is seen to fall, after eleven, the steps may be 0.1 times its size, and nine are enough.
+TEST(CollapseStage, TheSearchFollowsAFallInLongSteps) {
+    const Results results = runInMemory(slidingScene(20.0, false));
+    ASSERT_EQ(results.stages[1].outcome, Outcome::Collapse);
+    EXPECT_LE(results.stages[1].health.steps, 25) << results.stages[1].health.steps;
+}
+
 TEST(CollapseStage, IsSkippedWhereNothingFalls) {
     const Scene scene = slidingScene(32.0, false);
     const Results results = runInMemory(scene);
