@@ -27,7 +27,7 @@ constexpr int mostRounds = 6;
 constexpr int mostTries = 60;  // maximum number of tries to locate an event
 constexpr double narrowest = 1e-12;  // width of the bracket at which they end, as a fraction of the increment
 constexpr int mostStalled = 3;  // number of consecutive tries that do not halve the distance to the limit
-constexpr long longSearch = 40;  // iterations of a try after which the next try starts from its result
+constexpr long longSearch = 20;  // iterations of a try after which the next try starts from its result
 constexpr double locateShare = 1e-4;  // accuracy with which an event is located, as a fraction of its limit
 
 // Increments of automatic length, in pseudo-time.
@@ -36,6 +36,7 @@ constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
 constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no equilibrium
 constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
 constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
+constexpr long manyPasses = 40;  // the same for the last increment; often there is no equilibrium at the full load
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 
 /// One move within an increment.
@@ -179,12 +180,13 @@ private:
             const double to = nextShare();
             const double length = (to - progress_.done) * span();
             Reached next{state_, to};
-            StepEnding ending = equilibriumWithin(next.state, to, patienceFor(length));
+            StepEnding ending = equilibriumWithin(next.state, to, patienceFor(length, to));
             const bool found = ending.ending == Ending::Done;
             if (found) ending = toFirstLimit(next);
             if (!isWorkedOut() && (isTooDear(ending, length) || (isMoving(ending) && isTooFar(length)))) {
-                if (isMoving(ending)) progress_.fails = to;
-                shorten(length, ending.ending);
+                const bool nearlyFull = to == 1.0 && !isLong(length) && isTooFar(length);
+                if (nearlyFull || isMoving(ending)) progress_.fails = to;
+                if (!nearlyFull) shorten(length, ending.ending);
                 continue;
             }
             if (!found && lettingGo(ending, next.state)) return takeMoving(std::move(next));
@@ -208,10 +210,12 @@ private:
     }
 
     /// Half of the distance to the point where no equilibrium was found, or all of it if that is short enough to accept
-    /// a collapse.
+    /// a collapse. At the full load, nearly all of it is tried first: unsupported rock falls when the forces that held
+    /// it have become smaller than its weight.
     double nearerTo(double fails) const {
         const double way = fails - progress_.done;
-        return isTooFar(way * span()) ? progress_.done + 0.5 * way : fails;
+        if (!isTooFar(way * span())) return fails;
+        return fails == 1.0 ? fails - std::min(finestCollapse / span(), 0.5 * way) : progress_.done + 0.5 * way;
     }
 
     /// Accepts the state reached, unless too much happened within the increment; then a shorter one is tried next.
@@ -234,8 +238,9 @@ private:
     }
 
     /// Number of iterations after which a shorter increment is tried first.
-    static long patienceFor(double length) {
-        return isLong(length) ? fewPasses : std::numeric_limits<long>::max();
+    long patienceFor(double length, double to) const {
+        if (isLong(length)) return fewPasses;
+        return to == 1.0 && isTooFar(length) ? manyPasses : std::numeric_limits<long>::max();
     }
 
     /// Searches for equilibrium; the search ends as `Stopped` once it has made more than `passes` iterations.
