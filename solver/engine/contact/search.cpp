@@ -136,32 +136,32 @@ std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotio
     return contacts;
 }
 
-/// Whether a contact closes on the path by more than `depth` [m].
-bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth, const Contact& c) {
+/// Whether a contact closes on the path.
+bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance, const Contact& c) {
     const Point& corner = blocks[c.blockA].corners[c.corner];
     const auto moved = [&](int block) {
         return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
     };
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
     const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
-    return edge.outward.dot(from) < c.gapOffset - depth;
+    return edge.outward.dot(from) < c.gapOffset - tolerance;
 }
 
-/// Whether every contact of a sorted list that closes on the path by more than `depth` [m] is also in the other list.
-bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth,
+/// Whether every contact of a sorted list that closes on the path is also in the other list.
+bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
                   const std::vector<Contact>& contacts, const std::vector<Contact>& others) {
     auto next = others.begin();
     return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
         while (next != others.end() && comesBefore(*next, c)) ++next;
         const bool known = next != others.end() && !comesBefore(c, *next);
-        return !known && !c.bonded && closes(blocks, drift, depth, c);
+        return !known && !c.bonded && closes(blocks, drift, tolerance, c);
     });
 }
 
-/// Whether both lists have the same contacts among those that close on the path by more than `depth` [m].
-bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double depth,
+/// Whether both lists have the same contacts among those that close on the path.
+bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
                    const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
-    return hasEntrances(blocks, drift, depth, now, contacts) && hasEntrances(blocks, drift, depth, contacts, now);
+    return hasEntrances(blocks, drift, tolerance, now, contacts) && hasEntrances(blocks, drift, tolerance, contacts, now);
 }
 
 }  // namespace
@@ -200,20 +200,19 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path, double depth) {
+                   const FoundCorners& found, const Eigen::VectorXd& path) {
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
-    if (!staysNear(model, blocks, drift, found.margin))
-        return entrancesHold(model, blocks, contacts, found.margin, path, depth);
+    if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
     const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);
-    return sameEntrances(blocks, drift, depth, contacts, now);
+    return sameEntrances(blocks, drift, model.tolerance, contacts, now);
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path, double depth) {
+                   double margin, const Eigen::VectorXd& path) {
     const std::vector<Contact> now =
         findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr, nullptr});
-    return sameEntrances(blocks, driftOf(blocks, &path), depth, contacts, now);
+    return sameEntrances(blocks, driftOf(blocks, &path), model.tolerance, contacts, now);
 }
 
 }  // namespace keyblock

@@ -49,12 +49,12 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                                   const std::vector<Contact>& before, double margin, bool first);
 
 /// Checks `contacts` against a displacement `path` that was not known when they were found: false if a corner would
-/// enter a block by more than `depth` [m] through an edge other than the one in `contacts`. The first overload uses
-/// `found`, the result of the search for `contacts`; the second searches again with the same margin.
+/// enter a block through an edge other than the one in `contacts`. The first overload uses `found`, the result of the
+/// search for `contacts`; the second searches again with the same margin.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path, double depth);
+                   const FoundCorners& found, const Eigen::VectorXd& path);
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path, double depth);
+                   double margin, const Eigen::VectorXd& path);
 
 }  // namespace keyblock

@@ -225,7 +225,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             continue;
         }
         if (paths < mostPathsOfAStep && move > pathOfSmallest * model.smallest &&
-            !entrancesHold(model, state.blocks, trial.state.contacts, corners, d, model.tolerance)) {
+            !entrancesHold(model, state.blocks, trial.state.contacts, corners, d)) {
             path = start = d;
             ++paths;
             continue;

@@ -45,7 +45,6 @@ constexpr double stillFalling = 0.1;  // of the previous residual: such a fast d
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
 constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
-constexpr double entryShare = 1e-5;  // of the smallest block's size: shallower entries are decided in the next step
 constexpr int mostPaths = 2;  // repetitions of a pseudo-step for this reason
 constexpr int mostPasses = 20;  // largest number of iterations of a pseudo-step
 constexpr int sweepPatience = 15;  // iterations before sweeps are tried; with so little inertia they seldom help
@@ -240,8 +239,7 @@ private:
 
     /// True if a corner enters through another edge than the search assumed.
     bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
-        return move > pathShare * moveLimit_ &&
-               !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d, entryShare * model_.smallest);
+        return move > pathShare * moveLimit_ && !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d);
     }
 
     /// Repeats the step with contacts searched along its path.

@@ -201,10 +201,9 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
         const std::vector<Contact> contacts =
             findContacts(found.model, found.state.blocks, {}, {0.5, false, false, path, nullptr});
         EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
-        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path, found.model.tolerance));
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
         const Eigen::VectorXd& other = path == &over ? beside : over;
-        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other, found.model.tolerance));
-        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other, 1.0));  // none enters so far
+        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other));
     }
 }
 
