@@ -27,7 +27,7 @@ constexpr int mostRounds = 6;
 constexpr int mostTries = 60;  // maximum number of tries to locate an event
 constexpr double narrowest = 1e-12;  // width of the bracket at which they end, as a fraction of the increment
 constexpr int mostStalled = 3;  // number of consecutive tries that do not halve the distance to the limit
-constexpr long longSearch = 20;  // iterations of a try after which the next try starts from its result
+constexpr long longSearch = 40;  // iterations of a try after which the next try starts from its result
 constexpr double locateShare = 1e-4;  // accuracy with which an event is located, as a fraction of its limit
 
 // Increments of automatic length, in pseudo-time.
@@ -101,10 +101,14 @@ private:
         return worstLimit(heldLimits(engine_.model, state), 1.0 + reachedShare).has_value();
     }
 
-    bool passesBoltLimit(const State& state) const {
+    std::vector<Limit> boltLimits(const State& state) const {
         std::vector<Limit> limits = heldLimits(engine_.model, state);
         std::erase_if(limits, [](const Limit& limit) { return ofJoint(limit.kind); });
-        return worstLimit(limits, 1.0 + reachedShare).has_value();
+        return limits;
+    }
+
+    bool passesBoltLimit(const State& state) const {
+        return worstLimit(boltLimits(state), 1.0 + reachedShare).has_value();
     }
 
     /// True if a search ended with moving blocks and limits have been exceeded (for `NoEquilibrium`: limits of bolts).
@@ -184,9 +188,9 @@ private:
             const bool found = ending.ending == Ending::Done;
             if (found) ending = toFirstLimit(next);
             if (!isWorkedOut() && (isTooDear(ending, length) || (isMoving(ending) && isTooFar(length)))) {
-                const bool nearlyFull = to == 1.0 && !isLong(length) && isTooFar(length);
-                if (nearlyFull || isMoving(ending)) progress_.fails = to;
-                if (!nearlyFull) shorten(length, ending.ending);
+                const bool last = isLastWithoutBolts(length, to);
+                if (last || isMoving(ending)) progress_.fails = to;
+                if (!last) shorten(length, ending.ending);
                 continue;
             }
             if (!found && lettingGo(ending, next.state)) return takeMoving(std::move(next));
@@ -210,12 +214,18 @@ private:
     }
 
     /// Half of the distance to the point where no equilibrium was found, or all of it if that is short enough to accept
-    /// a collapse. At the full load, nearly all of it is tried first: unsupported rock falls when the forces that held
-    /// it have become smaller than its weight.
+    /// a collapse. At the full load, nearly all of it is tried first.
     double nearerTo(double fails) const {
         const double way = fails - progress_.done;
         if (!isTooFar(way * span())) return fails;
-        return fails == 1.0 ? fails - std::min(finestCollapse / span(), 0.5 * way) : progress_.done + 0.5 * way;
+        const bool last = isLastWithoutBolts(way * span(), fails);
+        return last ? fails - std::min(finestCollapse / span(), 0.5 * way) : progress_.done + 0.5 * way;
+    }
+
+    /// True for an increment to the full load that can be divided, in rock without bolts. There unsupported rock falls
+    /// when the forces that held it have become smaller than its weight.
+    bool isLastWithoutBolts(double length, double to) const {
+        return to == 1.0 && !isLong(length) && isTooFar(length) && boltLimits(state_).empty();
     }
 
     /// Accepts the state reached, unless too much happened within the increment; then a shorter one is tried next.
@@ -240,7 +250,7 @@ private:
     /// Number of iterations after which a shorter increment is tried first.
     long patienceFor(double length, double to) const {
         if (isLong(length)) return fewPasses;
-        return to == 1.0 && isTooFar(length) ? manyPasses : std::numeric_limits<long>::max();
+        return isLastWithoutBolts(length, to) ? manyPasses : std::numeric_limits<long>::max();
     }
 
     /// Searches for equilibrium; the search ends as `Stopped` once it has made more than `passes` iterations.
