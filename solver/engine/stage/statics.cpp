@@ -101,14 +101,10 @@ private:
         return worstLimit(heldLimits(engine_.model, state), 1.0 + reachedShare).has_value();
     }
 
-    std::vector<Limit> boltLimits(const State& state) const {
+    bool passesBoltLimit(const State& state) const {
         std::vector<Limit> limits = heldLimits(engine_.model, state);
         std::erase_if(limits, [](const Limit& limit) { return ofJoint(limit.kind); });
-        return limits;
-    }
-
-    bool passesBoltLimit(const State& state) const {
-        return worstLimit(boltLimits(state), 1.0 + reachedShare).has_value();
+        return worstLimit(limits, 1.0 + reachedShare).has_value();
     }
 
     /// True if a search ended with moving blocks and limits have been exceeded (for `NoEquilibrium`: limits of bolts).
@@ -188,7 +184,7 @@ private:
             const bool found = ending.ending == Ending::Done;
             if (found) ending = toFirstLimit(next);
             if (!isWorkedOut() && (isTooDear(ending, length) || (isMoving(ending) && isTooFar(length)))) {
-                const bool last = isLastWithoutBolts(length, to);
+                const bool last = isLast(length, to);
                 if (last || isMoving(ending)) progress_.fails = to;
                 if (!last) shorten(length, ending.ending);
                 continue;
@@ -218,15 +214,13 @@ private:
     double nearerTo(double fails) const {
         const double way = fails - progress_.done;
         if (!isTooFar(way * span())) return fails;
-        const bool last = isLastWithoutBolts(way * span(), fails);
-        return last ? fails - std::min(finestCollapse / span(), 0.5 * way) : progress_.done + 0.5 * way;
+        return progress_.done +
+               (isLast(way * span(), fails) ? way - std::min(finestCollapse / span(), 0.5 * way) : 0.5 * way);
     }
 
-    /// True for an increment to the full load that can be divided, in rock without bolts. There unsupported rock falls
-    /// when the forces that held it have become smaller than its weight.
-    bool isLastWithoutBolts(double length, double to) const {
-        return to == 1.0 && !isLong(length) && isTooFar(length) && boltLimits(state_).empty();
-    }
+    /// True for an increment to the full load that can be divided. Unsupported rock falls there, when the forces that
+    /// held it have become smaller than its weight.
+    bool isLast(double length, double to) const { return to == 1.0 && !isLong(length) && isTooFar(length); }
 
     /// Accepts the state reached, unless too much happened within the increment; then a shorter one is tried next.
     bool take(Reached next) {
@@ -250,7 +244,7 @@ private:
     /// Number of iterations after which a shorter increment is tried first.
     long patienceFor(double length, double to) const {
         if (isLong(length)) return fewPasses;
-        return isLastWithoutBolts(length, to) ? manyPasses : std::numeric_limits<long>::max();
+        return isLast(length, to) ? manyPasses : std::numeric_limits<long>::max();
     }
 
     /// Searches for equilibrium; the search ends as `Stopped` once it has made more than `passes` iterations.
