@@ -214,8 +214,8 @@ private:
     double nearerTo(double fails) const {
         const double way = fails - progress_.done;
         if (!isTooFar(way * span())) return fails;
-        return progress_.done +
-               (isLast(way * span(), fails) ? way - std::min(finestCollapse / span(), 0.5 * way) : 0.5 * way);
+        const double rest = std::min(finestCollapse / span(), 0.5 * way);
+        return progress_.done + (isLast(way * span(), fails) ? way - rest : 0.5 * way);
     }
 
     /// True for an increment to the full load that can be divided. Unsupported rock falls there, when the forces that
