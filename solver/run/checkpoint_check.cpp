@@ -197,9 +197,9 @@ template <>
 inline constexpr auto rows<PassedLimit> = std::tuple{count("cause", &PassedLimit::cause, -1)};
 
 template <>
-inline constexpr auto rows<IncrementProgress> = std::tuple{count("solves", &IncrementProgress::solves),
-                                                           list("passed", &IncrementProgress::passed),
-                                                           count("lastRelease", &IncrementProgress::lastRelease, -1)};
+inline constexpr auto rows<IncrementProgress> = std::tuple{
+    count("solves", &IncrementProgress::solves), lengthOrNone("fallsFrom", &IncrementProgress::fallsFrom, blocks),
+    list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),

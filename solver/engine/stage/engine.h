@@ -40,7 +40,7 @@ struct StepEnding {
     std::vector<int> blocks;  // blocks that move or are not in equilibrium
     std::vector<int> followers{};  // blocks set in motion by those
     long cause = -1;  // event after which no equilibrium was found; −1: the load increment
-    bool final = false;  // undecided, and a longer search would not decide it
+    bool final = false;  // a longer search or another release would not change it
 };
 
 /// Receives the events within an increment or time step, in order.

@@ -71,7 +71,7 @@ public:
     Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings)
         : engine_(engine), model_(engine.model), state_(state), loads_(loads), at_(path.at), settings_(settings),
           account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
-          falls_(engine.model, state, settings.body, settings.smallest),
+          falls_(engine.model, state, {settings.body, settings.smallest, settings.fallsFrom}),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.numerics.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
@@ -84,8 +84,12 @@ public:
             if (outcome == Outcome::Balanced) return balancedUnlessHidden();
             if (outcome == Outcome::Stopped) return {Ending::Stopped, "", {}};
             if (outcome == Outcome::Unsettled) return unsettled();
-            if (outcome == Outcome::Moved && report_.converged && (someLeft() || (!settings_.followsFalls && someFall())))
-                return moving(Ending::NoEquilibrium);
+            if (outcome != Outcome::Moved || !report_.converged) continue;
+            const bool left = someLeft();
+            if (!left && (settings_.followsFalls || !someFall())) continue;
+            StepEnding ending = moving(Ending::NoEquilibrium);
+            ending.final = left;
+            return ending;
         }
         return moving(Ending::Undecided);
     }

@@ -8,7 +8,8 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t remembered = 11;  // number of pseudo-steps over which a fall must not slow down
+// number of pseudo-steps over which a fall must not slow down: at first, and if it was seen before
+constexpr std::size_t manySteps = 11, fewSteps = 4;
 constexpr double steady = 0.95;  // fraction of the acceleration at their beginning
 constexpr double alike = 0.2;  // relative difference up to which two accelerations are alike
 constexpr double quick = 10.0;  // times the unbalanced force allowed at rest
@@ -18,13 +19,14 @@ constexpr double leastWay = 0.05;  // displacement over block size from which a 
 
 }  // namespace
 
-Falls::Falls(const Model& model, const State& state, double share, double smallest)
-    : model_(model), share_(share), bolted_(state.blocks.size(), 0) {
+Falls::Falls(const Model& model, const State& state, const FallSettings& settings)
+    : model_(model), share_(settings.share), remembered_(settings.from ? fewSteps : manySteps),
+      bolted_(state.blocks.size(), 0) {
     for (std::size_t row = 0; row < state.blocks.size(); ++row) {
         const int first = wholeOf(model, static_cast<int>(row));
-        places_.push_back(state.blocks[row].centroid);
+        places_.push_back(settings.from ? (*settings.from)[row] : state.blocks[row].centroid);
         sizes_.push_back(wholeSize(model, first));
-        small_.push_back(model.blocks[row].plateOf < 0 && wholeArea(model, first) < smallest);
+        small_.push_back(model.blocks[row].plateOf < 0 && wholeArea(model, first) < settings.smallest);
     }
     for (const BoltMotion& bolt : state.bolts)
         for (const Slot& slot : bolt.slots)
@@ -37,14 +39,14 @@ void Falls::note(const std::vector<double>& moves, double dt, const std::vector<
         accelerations.push_back(model_.blocks[i].mass * 2.0 * moves[i] / (dt * dt) / own[i]);
     accelerations_.push_back(std::move(accelerations));
     moves_.push_back(moves);
-    if (accelerations_.size() <= remembered) return;
+    if (accelerations_.size() <= remembered_) return;
     accelerations_.pop_front();
     moves_.pop_front();
 }
 
 bool Falls::falls(const std::vector<BlockMotion>& blocks, int block) const {
     const std::size_t at = block;
-    if (accelerations_.size() < remembered || model_.blocks[at].plateOf >= 0) return false;
+    if (accelerations_.size() < remembered_ || model_.blocks[at].plateOf >= 0) return false;
     const double now = accelerations_.back()[at], way = moved(blocks, block);
     if (now < steady * accelerations_.front()[at] || isCaught(block)) return false;
     return (now > quick * share_ && way > shortWay) || (now > share_ && way > longWay);

@@ -14,11 +14,15 @@
 
 namespace keyblock {
 
+struct FallSettings {
+    double share = 0.0;  // unbalanced force allowed on a block at rest, as a fraction of its weight
+    double smallest = 0.0;  // smaller blocks are disregarded in deciding whether there is an equilibrium [m²]
+    const std::vector<Point>* from = nullptr;  // centroids before the fall; null: at the start of the search
+};
+
 class Falls {
 public:
-    /// \param share the unbalanced force allowed on a block at rest, as a fraction of its weight.
-    /// \param smallest the area [m²] below which a block is disregarded in deciding whether there is an equilibrium.
-    Falls(const Model& model, const State& state, double share, double smallest);
+    Falls(const Model& model, const State& state, const FallSettings& settings);
 
     /// Records a pseudo-step of length `dt` [s].
     /// \param moves the displacement of each block [m].
@@ -32,8 +36,8 @@ public:
     /// \pre at least two pseudo-steps have been recorded, and the last two differ in length.
     bool sameWhateverTheStep(int block) const;
 
-    /// Displacement of a block's centroid since the start, as a fraction of the size of the block or, for a cell, of
-    /// the whole block.
+    /// Displacement of a block's centroid from its place before the fall, as a fraction of the size of the block or, for a
+    /// cell, of the whole block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
     /// True if a block is large enough to be considered in deciding whether there is an equilibrium.
@@ -53,10 +57,11 @@ private:
     bool isCaught(int block) const;
 
     const Model& model_;
-    std::vector<Point> places_;  // centroids at the start [m]
+    std::vector<Point> places_;  // centroids before the fall [m]
     std::vector<double> sizes_;  // √area per block; for a cell, √area of the whole block [m]
     std::vector<char> small_;  // per block: true if too small to decide
     double share_;
+    std::size_t remembered_;  // number of pseudo-steps over which a fall must not slow down
     std::vector<char> bolted_;  // per block: true if a bolt crosses it
     std::deque<std::vector<double>> accelerations_;  // per pseudo-step and block, over that due to `own`
     std::deque<std::vector<double>> moves_;  // per pseudo-step and block [m]

@@ -73,6 +73,7 @@ private:
                            bool followsFalls = true) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
+        if (progress_.moving()) settings.fallsFrom = &progress_.fallsFrom;
         settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
         const long before = engine_.health.steps;
         StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings);
@@ -82,17 +83,25 @@ private:
         return ending;
     }
 
+    /// Searches for equilibrium where no shorter increment can be tried. Falling blocks are followed unless
+    /// a bolt is beyond a limit, which is released first.
+    StepEnding searchToTheEnd(State& state, double to, long most = std::numeric_limits<long>::max()) {
+        if (boltLimits(state).empty()) return equilibrium(state, to, most, true);
+        return followed(equilibrium(state, to, most, false), state, to);
+    }
+
     /// Searches for equilibrium in parts of limited length until the allowed number of pseudo-steps is used up. If a
     /// part ends without a result, limits that were exceeded during it are released first.
     StepEnding searchOn(State& state, double to) {
         for (;;) {
-            const StepEnding ending = equilibrium(state, to, mostInSearch);
+            const StepEnding ending = searchToTheEnd(state, to, mostInSearch);
             if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || lettingGo(ending, state)) return ending;
         }
     }
 
-    /// Continues the search at this load to follow the blocks that were seen to fall.
-    StepEnding followFall(State& state, double to) {
+    /// Follows blocks that a search has seen to fall, unless limits of bolts are exceeded and must be released first.
+    StepEnding followed(StepEnding seen, State& state, double to) {
+        if (seen.ending != Ending::NoEquilibrium || seen.final || passesBoltLimit(state)) return seen;
         const LoadPoint at = between(a_, b_, to);
         return equilibrium(state, {at, at}, std::numeric_limits<long>::max(), true);
     }
@@ -101,17 +110,29 @@ private:
         return worstLimit(heldLimits(engine_.model, state), 1.0 + reachedShare).has_value();
     }
 
-    bool passesBoltLimit(const State& state) const {
+    std::vector<Limit> boltLimits(const State& state) const {
         std::vector<Limit> limits = heldLimits(engine_.model, state);
         std::erase_if(limits, [](const Limit& limit) { return ofJoint(limit.kind); });
-        return worstLimit(limits, 1.0 + reachedShare).has_value();
+        return limits;
+    }
+
+    bool passesBoltLimit(const State& state) const {
+        return worstLimit(boltLimits(state), 1.0 + reachedShare).has_value();
     }
 
     /// True if a search ended with moving blocks and limits have been exceeded (for `NoEquilibrium`: limits of bolts).
     /// They are released before anything is reported.
     bool lettingGo(const StepEnding& ending, const State& state) const {
-        if (ending.ending == Ending::Undecided) return !ending.final && !isWorkedOut() && passesLimit(state);
+        if (ending.final) return false;
+        if (ending.ending == Ending::Undecided) return !isWorkedOut() && passesLimit(state);
         return ending.ending == Ending::NoEquilibrium && passesBoltLimit(state);
+    }
+
+    /// Records whether limits are released in moving rock, and where the blocks were before they moved.
+    void setMoving(bool moving) {
+        if (!moving) progress_.fallsFrom.clear();
+        else if (!progress_.moving())
+            for (const BlockMotion& block : state_.blocks) progress_.fallsFrom.push_back(block.centroid);
     }
 
     /// Keeps the moving blocks at the positions that they have reached.
@@ -122,8 +143,8 @@ private:
 
     /// Accepts a moving state like an equilibrium, but limits are released before the load continues.
     StepEnding takeMoving(Reached moving) {
+        setMoving(true);
         accept(std::move(moving));
-        progress_.moving = true;
         return {};
     }
 
@@ -153,13 +174,13 @@ private:
             const double to = progress_.done + step >= 1.0 - 1e-12 ? 1.0 : progress_.done + step;
             State trial = state_;
             const bool less = step > finestIncrement * whole && !isSameLoad(a_, b_);
-            StepEnding ending = equilibrium(trial, to, less ? mostInSearch : std::numeric_limits<long>::max(), !less);
+            StepEnding ending = less ? equilibrium(trial, to, mostInSearch, false) : searchToTheEnd(trial, to);
             if (isMoving(ending) && less && !isWorkedOut()) {
                 if (to < 1.0 || standsAtFirst(whole)) {
                     step *= 0.5;
                     continue;
                 }
-                if (ending.ending == Ending::NoEquilibrium) ending = followFall(trial, to);
+                ending = followed(std::move(ending), trial, to);
             }
             if (lettingGo(ending, trial)) return takeMoving({std::move(trial), to});
             if (ending.ending != Ending::Done) {
@@ -252,9 +273,8 @@ private:
         left_ = passes;
         const std::function<bool()> asked = engine_.stopAsked;
         engine_.stopAsked = [this, &asked] { return left_-- <= 0 || (asked && asked()); };
-        constexpr long any = std::numeric_limits<long>::max();
         const bool mayBeShorter = isTooFar((to - progress_.done) * span());
-        StepEnding ending = equilibrium(state, to, mayBeShorter ? mostInSearch : any, !mayBeShorter);
+        StepEnding ending = mayBeShorter ? equilibrium(state, to, mostInSearch, false) : searchToTheEnd(state, to);
         engine_.stopAsked = asked;
         return ending;
     }
@@ -378,9 +398,9 @@ private:
         const double time = reached().time;
         progress_.lastRelease =
             releaseAndReport(engine_.model, state_, released, time, causeOf(released), observer_);
-        if (!changesForces(engine_.model, released) && (!progress_.moving || limit())) {
+        if (!changesForces(engine_.model, released) && (!progress_.moving() || limit())) {
             observer_.afterEvent(state_, time);
-            return progress_.moving ? StepEnding{} : followUnlessAtLimit();
+            return progress_.moving() ? StepEnding{} : followUnlessAtLimit();
         }
         const std::optional<State> sliding = ifSliding(state_);
         StepEnding ending = balanceAgain();
@@ -395,9 +415,9 @@ private:
     StepEnding balanceAgain() {
         State trial = state_;
         const StepEnding ending = searchOn(trial, progress_.done);
+        setMoving(lettingGo(ending, trial));
         state_ = std::move(trial);
-        progress_.moving = lettingGo(ending, state_);
-        if (progress_.moving) return {};  // limits exceeded during the motion are released next
+        if (progress_.moving()) return {};  // limits exceeded during the motion are released next
         if (ending.ending != Ending::Done) return ending;
         ++state_.step;
         return follow();

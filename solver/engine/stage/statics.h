@@ -29,7 +29,9 @@ struct IncrementProgress {
     double under = 0.0;  // fraction that acts on the state; above `done` if a search ended with moving blocks
     double step = 0.0;  // next fraction to try; 0: not started
     bool releasing = false;  // a limit has been reached and is released before the load continues
-    bool moving = false;  // the state is not in equilibrium: limits exceeded while blocks move are released next
+    // If the state is not in equilibrium and limits exceeded while blocks move are released next: the centroids of the
+    // blocks in the last equilibrium. Otherwise empty.
+    std::vector<Point> fallsFrom;
     double least = 0.0;  // smallest ratio at which a limit is released
     long solves = 0;  // pseudo-steps since the last event or accepted increment
     std::vector<PassedLimit> passed;  // limits reached or exceeded at this load
@@ -38,6 +40,7 @@ struct IncrementProgress {
     double fails = 0.0;  // fraction at which a search found no equilibrium; 0: none yet
 
     bool over() const { return done >= 1.0 && !releasing; }
+    bool moving() const { return !fallsFrom.empty(); }
 };
 
 /// Makes one move along the load path from `a` to `b` and finds equilibrium again. In a move, either the load is

@@ -41,6 +41,13 @@ Scene endAnchored(const BoltType& bar, double displacement) {
     return scene;
 }
 
+Load pointLoad(Point at, Point force) {
+    Load load;
+    load.blockAt = load.at = at;
+    load.force = force;
+    return load;
+}
+
 Solved solvedStages(const Scene& scene) {
     Solved solved = solve(scene);
     EXPECT_FALSE(solved.results.stages.empty());
@@ -323,6 +330,27 @@ TEST(Statics, LooseBlockIsNamed) {
     EXPECT_EQ(results.stages[0].outcome, Outcome::Failed);
     EXPECT_NE(results.stages[0].message.find("floating"), std::string::npos) << results.stages[0].message;
     EXPECT_EQ(results.stages[0].blocks, std::vector<int>{1});
+}
+
+/// A loose block falls while the bonds of a bolt beside it fail one at a time. The distance that it falls counts from the
+/// equilibrium before, so the collapse is reported once it has moved by its size in all, not by its size for each bond.
+TEST(Statics, AFallIsNotFollowedAgainForEachBondThatFails) {
+    Scene scene = shortRebar(false, 0.0, 1);
+    scene.materials[0].second.density = 2700.0;
+    scene.materials[0].second.youngsModulus = 10e9;
+    scene.blocks.push_back(boxBlock("loose", {4, 5}, {5, 6}));
+    Stage& stage = scene.stages[0];
+    stage.motions.clear();
+    stage.loads = {pointLoad({1.5, 0.5}, {16.0 * peak, 0.0}), pointLoad({4.5, 5.5}, {0.0, -20e3})};
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages[0].outcome, Outcome::Collapse) << results.stages[0].message;
+    EXPECT_EQ(results.stages[0].blocks, std::vector<int>{2});
+    const auto debonded = std::count_if(results.events.begin(), results.events.end(),
+                                        [](const Event& e) { return e.kind == EventKind::Debonding; });
+    EXPECT_GE(debonded, 4);
+    const double fallen = results.frames.back().blocks[2].displacement.norm();
+    EXPECT_GE(fallen, 1.0);
+    EXPECT_LE(fallen, 1.5);
 }
 
 /// A block without mass that only touches its base is held by it as soon as it is pressed.

@@ -35,9 +35,10 @@ State startOf(const Model& model, bool bolted) {
 /// A block that is seen for some pseudo-steps and has then moved by a share of its size.
 struct Watched {
     bool bolted = false;
+    std::vector<Point> from{};  // centroid before the fall, if it was seen before
     Model model = makeModel(oneBlock());
     std::vector<BlockMotion> blocks = makeState(model).blocks;
-    Falls falls{model, startOf(model, bolted), 1e-3, 0.01};
+    Falls falls{model, startOf(model, bolted), {1e-3, 0.01, from.empty() ? nullptr : &from}};
 
     /// \param acceleration of a pseudo-step, over gravity; its length, about `length` [s], is that of no other.
     void see(int steps, const std::function<double(int)>& acceleration, double length = 1e-3) {
@@ -99,6 +100,18 @@ TEST(Falls, TenPseudoStepsShowNothing) {
     Watched early;
     early.see(10, [](int) { return 1.0; });
     EXPECT_FALSE(early.fallsAfter(0.9));
+}
+
+/// After a release the distance counts from where the fall began, and four pseudo-steps are enough.
+TEST(Falls, AFallThatWasSeenBeforeIsSeenSooner) {
+    Watched again{false, {Point(0.5, 0.61)}};
+    again.see(3, [](int) { return 1.0; });
+    EXPECT_FALSE(again.fallsAfter(0.0));
+    again.see(1, [](int) { return 1.0; });
+    EXPECT_TRUE(again.fallsAfter(0.0));
+    Watched near{false, {Point(0.5, 0.59)}};
+    near.see(4, [](int) { return 1.0; });
+    EXPECT_FALSE(near.fallsAfter(0.0));
 }
 
 /// An acceleration that depends on the length of the step is that of a spring, not of a fall.
