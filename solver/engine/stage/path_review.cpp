@@ -112,7 +112,7 @@ PathReview reviewPath(const Model& model, const State& before, const State& afte
     reviewContacts(model, before, after, ratio, review);
     if (!before.bolts.empty()) reviewBolts(model, before, after, review);
     for (std::size_t i = 0; i < before.blocks.size(); ++i)
-        review.error = std::max(review.error, std::abs(after.blocks[i].angle - before.blocks[i].angle) / mostTurn);
+        review.turn = std::max(review.turn, std::abs(after.blocks[i].angle - before.blocks[i].angle) / mostTurn);
     return review;
 }
 

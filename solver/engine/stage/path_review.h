@@ -17,7 +17,8 @@ namespace keyblock {
 struct PathReview {
     bool straight = true;  // forces and displacements vary linearly: no contact or bolt changed its behaviour
     bool boltsFlow = false;  // a bolt's steel, bond or rock yielded, slipped or re-stuck, or a node changed block
-    double error = 0.0;  // largest estimated error over the allowed error
+    double error = 0.0;  // largest estimated error of forces over the allowed error
+    double turn = 0.0;  // largest rotation of a block over the allowed rotation
 };
 
 /// Compares the equilibria at the two ends of an increment.

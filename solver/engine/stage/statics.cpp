@@ -25,7 +25,8 @@ constexpr double finestIncrement = 1e-3;  // fraction of the given increment fro
 constexpr double followShare = 1e-9;
 constexpr int mostRounds = 6;
 constexpr int mostTries = 60;  // maximum number of tries to locate an event
-constexpr double narrowest = 1e-12;  // width of the bracket at which they end, as a fraction of the increment
+// width of the bracket at which they end, as a fraction of the increment; the limit is then exceeded in a jump
+constexpr double narrowest = 1e-7;
 constexpr int mostStalled = 3;  // number of consecutive tries that do not halve the distance to the limit
 constexpr long longSearch = 40;  // iterations of a try after which the next try starts from its result
 constexpr double locateShare = 1e-4;  // accuracy with which an event is located, as a fraction of its limit
@@ -35,6 +36,7 @@ constexpr double longestBent = 0.1;  // maximum length if joints slide, open or 
 constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
 constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no equilibrium
 constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
+constexpr double sameTurn = 0.8;  // of the rotation in a longer increment: a block turns in a jump
 constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
 constexpr long manyPasses = 40;  // the same for the last increment; often there is no equilibrium at the full load
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
@@ -220,13 +222,15 @@ private:
         }
     }
 
-    /// End of the next increment: equal parts of the remaining load, none longer than the next length to try and none
-    /// reaching the end of a failed increment while shorter ones can be tried.
+    /// End of the next increment: equal parts of the remaining load, none longer than the next length to try, none
+    /// beyond an increment in which a block turned too far, and none reaching the end of a failed increment while shorter
+    /// ones can be tried.
     double nextShare() const {
         const double left = (1.0 - progress_.done) * span();
         const double longest = std::min(progress_.chosen.next, span() / piecesOfMotion());
         const double parts = std::ceil(left / longest * (1.0 - 1e-9));
-        const double next = parts <= 1.0 ? 1.0 : progress_.done + (1.0 - progress_.done) / parts;
+        double next = parts <= 1.0 ? 1.0 : progress_.done + (1.0 - progress_.done) / parts;
+        if (progress_.turnedTo > progress_.done) next = std::min(next, progress_.turnedTo);
         return progress_.fails > progress_.done ? std::min(next, nearerTo(progress_.fails)) : next;
     }
 
@@ -250,16 +254,29 @@ private:
         const PathReview review =
             reviewPath(engine_.model, state_, next.state, chosen.last > 0.0 ? length / chosen.last : 0.0);
         const double longest = review.straight ? 1.0 : review.boltsFlow ? longestFlow : longestBent;
-        const bool tooLong = length > longest * (1.0 + 1e-9) || review.error > 1.0;
+        const bool turns = review.turn > 1.0 && !isJump(review.turn, next.share);
+        const bool halve = review.error > 1.0 || turns;
+        const bool tooLong = length > longest * (1.0 + 1e-9) || halve;
         if (tooLong && length > shortestChosen * (1.0 + 1e-9)) {
-            chosen.next = std::max(shortestChosen, std::min(longest, review.error > 1.0 ? 0.5 * length : length));
+            if (turns) {
+                progress_.turnedTo = next.share;
+                progress_.turn = review.turn;
+            }
+            chosen.next = std::max(shortestChosen, std::min(longest, halve ? 0.5 * length : length));
             return false;
         }
-        if (chosen.grows && 4.0 * review.error <= 1.0) chosen.next = std::max(chosen.next, 2.0 * length);
+        if (chosen.grows && 4.0 * std::max(review.error, review.turn) <= 1.0)
+            chosen.next = std::max(chosen.next, 2.0 * length);
         chosen.next = std::min(chosen.next, longest);
         chosen.last = length;
         accept(std::move(next));
         return true;
+    }
+
+    /// True if a block has turned nearly as far as in a longer increment: it jumps, and shorter ones would only locate
+    /// the jump.
+    bool isJump(double turn, double to) const {
+        return to <= progress_.turnedTo && turn >= sameTurn * progress_.turn;
     }
 
     /// Number of iterations after which a shorter increment is tried first.

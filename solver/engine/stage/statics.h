@@ -38,6 +38,8 @@ struct IncrementProgress {
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
     ChosenLength chosen;
     double fails = 0.0;  // fraction at which a search found no equilibrium; 0: none yet
+    double turnedTo = 0.0;  // fraction up to which a block turned too far; 0: none yet
+    double turn = 0.0;  // its rotation, over the allowed one
 
     bool over() const { return done >= 1.0 && !releasing; }
     bool moving() const { return !fallsFrom.empty(); }

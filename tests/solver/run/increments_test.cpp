@@ -128,5 +128,23 @@ TEST(Increments, FollowRotation) {
     EXPECT_GT(std::abs(before), 0.2);
 }
 
+/// A column is pushed at its top until it tips against a wall, by more than the 0.02 rad that it may turn in an
+/// increment. It tips at one load, so that shorter increments turn it as far; a search in which it tips takes ten to
+/// twenty pseudo-steps, and only few may be made.
+TEST(Increments, DoNotLocateABlockThatTipsAtOneLoad) {
+    constexpr double height = 4.0, gap = 0.15, weight = height * boxWeight;
+    constexpr double tipping = 0.5 * weight / height;  // force at the top [N]
+    Scene scene = pushedBox(1.9 * tipping, 45.0);
+    scene.blocks[1] = boxBlock("column", {0, 0}, {1, height});
+    scene.blocks.push_back(boxBlock("wall", {1 + gap, 0}, {2 + gap, height}));
+    scene.supports.push_back(scene.supports[0]);
+    scene.supports.back().blockAt = Point(1.5, 0.5);
+    scene.stages[1].loads[0].at = Point(0.0, height);
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages[1].outcome, Outcome::Equilibrium) << results.stages[1].message;
+    EXPECT_NEAR(std::abs(results.frames.back().blocks[1].rotation), gap / height, 0.02 * gap / height);
+    EXPECT_LE(results.stages[1].health.steps - results.stages[0].health.steps, 90);
+}
+
 }  // namespace
 }  // namespace keyblock
