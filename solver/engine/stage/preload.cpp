@@ -103,15 +103,16 @@ public:
         begin({Inertia::Static, dt, frictionLocked});
         const Numerics& numerics = engine_.model.numerics;
         const int passes = frictionLocked ? 0 : std::min(numerics.maxPasses, quickPasses);
-        const SolveReport report = solve(numerics.tolerance, passes);
+        const SolveReport report = solve({.tolerance = numerics.tolerance, .maxPasses = passes});
         if (report.converged || report.stopped || report.residual > nearRest) return report;
-        return solve(std::max(restTolerance, numerics.tolerance), 0);
+        return solve({.tolerance = std::max(restTolerance, numerics.tolerance)});
     }
 
     /// Makes the first time step of the scene from rest.
     SolveReport moving(double timeStep) {
         begin({Inertia::Shi, timeStep});
-        return solve(movingTolerance * engine_.model.numerics.tolerance, 0);
+        bool sweepsFirst = true;
+        return solve({.tolerance = movingTolerance * engine_.model.numerics.tolerance, .sweepsFirst = &sweepsFirst});
     }
 
 private:
@@ -121,9 +122,9 @@ private:
         d_ = Eigen::VectorXd::Zero(problem_.unknowns());
     }
 
-    SolveReport solve(double tolerance, int maxPasses) {
-        const SolveReport report = solveStep(engine_, problem_, state_, d_,
-                                             {.tolerance = tolerance, .maxPasses = maxPasses, .convex = true});
+    SolveReport solve(StepNeeds needs) {
+        needs.convex = true;
+        const SolveReport report = solveStep(engine_, problem_, state_, d_, needs);
         if (report.converged) keepForces(engine_.model, state_, problem_, d_);
         return report;
     }

@@ -97,7 +97,12 @@ private:
             if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
-        if (same) return;
+        if (!same) takeBetter(std::move(guess));
+        sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
+    }
+
+    /// Starts from `guess` instead if it has the smaller residual.
+    void takeBetter(Eigen::VectorXd guess) {
         const double atRest = report_.residual;
         const std::vector<double> limits = limitsOf(problem_);
         Trial rest = std::move(trial_);
@@ -107,7 +112,6 @@ private:
             trial_ = std::move(rest);
             judge();
         }
-        sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
 
     /// Hinges and crushing rock may change their states one after the other; while they keep Newton's method from full
