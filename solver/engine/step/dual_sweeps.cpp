@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
-constexpr int mostDualSweeps = 36;
+// Maximum number of sweeps before a factorization, which costs as much as 30 of them: in many steps a few are enough; in
+// those that are swept again, every further factorization costs more
+constexpr int mostAtFirst = 36, mostAgain = 72;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
 constexpr int mixedSweeps = 6;  // number of sweeps combined by Anderson mixing
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
@@ -38,13 +41,14 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
 }
 
 void DualSweeps::sweepUntilSettled(StepWork& work) {
+    const int most = std::exchange(again_, true) ? mostAgain : mostAtFirst;
     swept_.clipAndPlace(forces_);
     AndersonMixing mixing(mixedSweeps);
     Eigen::VectorXd changes;
     for (int made = 1;; ++made) {
         const SweptLinks::Change sum = swept_.sweep(forces_, changes);
         ++work.sweeps;
-        if (!(sum.changed > settledChange * settledChange * sum.forces) || made == mostDualSweeps) return;
+        if (!(sum.changed > settledChange * settledChange * sum.forces) || made == most) return;
         if (!mixing.mix(changes, forces_, swept_.placed())) continue;
         swept_.clipPlaced(forces_);
         ++work.products;
