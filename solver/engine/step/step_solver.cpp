@@ -37,7 +37,8 @@ constexpr int mostLocal = 3;
 constexpr double helpsLocally = 0.5;
 // Steps in motion that hardly converge: iterations after which loose blocks are solved for alone and wedged ones moved
 // on, and after which sweeps that have failed are tried again
-constexpr int hardFrom = 5, sweepsAgain = 12;
+constexpr int hardFrom = 2, sweepsAgain = 12;
+constexpr double nearInMotion = 3e-2;  // residual up to which, in motion, a stall does not lead to sweeps
 constexpr double hardlyHelps = 0.9;  // times the previous residual: a step that leaves more creeps
 constexpr double productWork = 0.01;  // work of a product, in `workOf`
 // Fraction of a flat bolt law's secant that counts as its tangent after a line search has stalled: at first, and the
@@ -136,7 +137,7 @@ private:
     /// True for a step in motion that hardly converges.
     bool isHard() const { return !rests() && report_.passes >= hardFrom; }
 
-    /// In motion, inertia holds loose blocks, and local solutions cost what they save, until the step does not converge.
+    /// In motion, inertia holds loose blocks, and local solutions cost what they save in the first iterations.
     bool settlesLocally() const { return !isLocal_ && (rests() || isHard()); }
 
     void judge(Trial trial) {
@@ -178,7 +179,8 @@ private:
         swept_ = d.has_value();
     }
 
-    /// Continues sweeps that reduce the residual but not enough; undoes those that increase it.
+    /// Continues sweeps that reduce the residual but not enough; undoes those that increase it. If a step begins with
+    /// such sweeps, the next one begins with Newton's method.
     void judgeSweeps() {
         swept_ = false;
         if (report_.residual <= residualBefore_) {
@@ -187,7 +189,7 @@ private:
         }
         judge(trialAt(problem_, rows_, std::move(beforeSweeps_.d)));
         if (++useless_ >= mostUseless) tries_ = mostSweeps;
-        if (mayKeepSweeping()) *settings_.sweepsFirst = false;
+        if (mayKeepSweeping() && report_.passes == 1) *settings_.sweepsFirst = false;
     }
 
     /// Makes one Newton step: the full step if that reduces the residual enough, otherwise the length that the line
@@ -251,7 +253,7 @@ private:
     void afterStall() {
         if (settlesLocally()) settleLocally(mostAfterStall);
         if (sweepsAreDue()) return sweepAgain();
-        if (!maySweep()) return;
+        if (!maySweep() || (!rests() && report_.residual <= nearInMotion)) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
