@@ -36,26 +36,28 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     return pairs;
 }
 
-std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b,
-                                  std::vector<FoundCorners::Corner>* corners) {
+/// \param kept receives the corners and their contacts, unless null.
+std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b, FoundCorners::Pair* kept) {
     std::vector<Contact> found;
+    found.reserve(search.before.size());  // usually the contacts are the same as before
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
         for (int corner : search.model.blocks[first].turns) {
-            const auto count = static_cast<std::ptrdiff_t>(found.size());
+            const auto begin = std::ssize(found);
             const bool byPath = search.addCorner(first, corner, second, found);
-            if (!corners || (!byPath && count == static_cast<std::ptrdiff_t>(found.size()))) continue;
-            corners->push_back({first, corner, second, byPath, {}});
-            if (!byPath) corners->back().found.assign(found.begin() + count, found.end());
+            const auto end = std::ssize(found);
+            if (kept && (byPath || end > begin)) kept->corners.push_back({first, corner, second, byPath, begin, end});
         }
+    if (kept) kept->contacts = found;
     return found;
 }
 
 /// Finds the candidates again for another path.
-std::vector<Contact> candidatesAgain(const CandidateSearch& search, const std::vector<FoundCorners::Corner>& corners) {
+std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Pair& pair) {
     std::vector<Contact> found;
-    for (const FoundCorners::Corner& c : corners) {
+    found.reserve(pair.contacts.size());
+    for (const FoundCorners::Corner& c : pair.corners) {
         if (c.byPath) search.addCorner(c.a, c.corner, c.b, found);
-        else found.insert(found.end(), c.found.begin(), c.found.end());
+        else found.insert(found.end(), pair.contacts.begin() + c.begin, pair.contacts.begin() + c.end);
     }
     return found;
 }
@@ -120,10 +122,11 @@ std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotio
     const Standings standings(model, blocks, before);
     std::vector<std::vector<Contact>> perPair(corners.pairs.size());
     forEach(perPair.size(), pairsATask, [&](std::size_t i) {
-        if (corners.pairs[i].empty()) return;
-        const std::span<const Contact> own = contactsBetween(before, corners.pairs[i][0].a, corners.pairs[i][0].b);
+        const FoundCorners::Pair& pair = corners.pairs[i];
+        if (pair.corners.empty()) return;
+        const std::span<const Contact> own = contactsBetween(before, pair.corners[0].a, pair.corners[0].b);
         const CandidateSearch search{model, blocks, own, drift, corners.outlines, standings, corners.margin};
-        perPair[i] = candidatesAgain(search, corners.pairs[i]);
+        perPair[i] = candidatesAgain(search, pair);
         dropDoubles(search, perPair[i]);
         for (Contact& contact : perPair[i]) {
             if (const Contact* old = sameContact(own, contact)) contact = *old;
@@ -175,7 +178,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const std::vector<Drift> drift = driftOf(blocks, asked.path);
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
-    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};
+    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<FoundCorners::Pair>(pairs.size())};
     forEach(pairs.size(), pairsATask, [&](std::size_t i) {
         const auto& [a, b] = pairs[i];
         const std::span<const Contact> own = contactsBetween(before, a, b);

@@ -8,6 +8,7 @@
 
 #include "solver/engine/contact/candidates.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace keyblock {
@@ -19,11 +20,15 @@ struct FoundCorners {
     struct Corner {
         int a = -1, corner = -1, b = -1;
         bool byPath = false;  // the contacts depend on the path; otherwise they are the same for every path
-        std::vector<Contact> found;
+        std::ptrdiff_t begin = 0, end = 0;  // its contacts, as a range of `Pair::contacts`
+    };
+    struct Pair {
+        std::vector<Corner> corners;
+        std::vector<Contact> contacts;
     };
     double margin = 0.0;  // margin of the search [m]
     std::vector<Outline> outlines;  // outlines of the blocks in the search
-    std::vector<std::vector<Corner>> pairs;  // per pair of blocks
+    std::vector<Pair> pairs;  // per pair of blocks
 };
 
 /// Options of a contact search.
