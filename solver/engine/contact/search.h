@@ -22,6 +22,7 @@ struct FoundCorners {
         bool byPath = false;  // the contacts depend on the path; otherwise they are the same for every path
         std::ptrdiff_t begin = 0, end = 0;  // its contacts, as a range of `Pair::contacts`
     };
+    /// The corners of two blocks, and the contacts of all of them.
     struct Pair {
         std::vector<Corner> corners;
         std::vector<Contact> contacts;

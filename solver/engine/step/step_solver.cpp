@@ -35,9 +35,9 @@ constexpr double helps = 0.2;  // times the previous residual: sweeps that leave
 constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
 constexpr int mostLocal = 3;
 constexpr double helpsLocally = 0.5;
-// Steps in motion that hardly converge: iterations after which loose blocks are solved for alone and wedged ones moved
-// on, and after which sweeps that have failed are tried again
-constexpr int hardFrom = 2, sweepsAgain = 12;
+// Steps in motion: iterations after which loose blocks are solved for alone and wedged ones moved on, and after which
+// sweeps that have failed are tried again
+constexpr int localFrom = 2, sweepsAgain = 12;
 constexpr double nearInMotion = 3e-2;  // residual up to which, in motion, a stall does not lead to sweeps
 constexpr double hardlyHelps = 0.9;  // times the previous residual: a step that leaves more creeps
 constexpr double productWork = 0.01;  // work of a product, in `workOf`
@@ -134,8 +134,8 @@ private:
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 
-    /// True for a step in motion that hardly converges.
-    bool isHard() const { return !rests() && report_.passes >= hardFrom; }
+    /// True for a step in motion that the first iterations have not solved.
+    bool isHard() const { return !rests() && report_.passes >= localFrom; }
 
     /// In motion, inertia holds loose blocks, and local solutions cost what they save in the first iterations.
     bool settlesLocally() const { return !isLocal_ && (rests() || isHard()); }
@@ -179,8 +179,8 @@ private:
         swept_ = d.has_value();
     }
 
-    /// Continues sweeps that reduce the residual but not enough; undoes those that increase it. If a step begins with
-    /// such sweeps, the next one begins with Newton's method.
+    /// Continues sweeps that reduce the residual but not enough; undoes those that increase it. If the
+    /// first sweeps of a step increase it, the next step begins with Newton's method.
     void judgeSweeps() {
         swept_ = false;
         if (report_.residual <= residualBefore_) {
