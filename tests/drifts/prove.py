@@ -264,7 +264,8 @@ def follow(program, folder, seed):
     scene = json.loads((folder / f"{seed}.json").read_text())
     told = run_scene(program, scene, folder / f"{seed}.kbrun")
     outcome, run = told["stages"][-1]["outcome"], folder / f"{seed}-motion.kbrun"
-    moving = copy.deepcopy(scene) | {"output": {"every": 0.02}}
+    # frames at given times would end increments there: the last equilibrium would be another one
+    moving = copy.deepcopy(scene) | {"output": {}}
     if outcome == "equilibrium":
         return follow_equilibrium(program, moving, run, seed)
     if outcome == "collapse":
