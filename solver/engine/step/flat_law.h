@@ -13,15 +13,20 @@
 
 namespace keyblock {
 
-struct FlatLaw {
-    double stiffness = 0.0, offset = 0.0;
-    double low = 0.0, high = 0.0;  // bounds of the force, without `Law::share` [N]; `high`: constant part if `follows`
+/// Bounds of the force of such a law, without `Law::share`.
+struct FlatBounds {
+    double low = 0.0, high = 0.0;  // [N]; `high`: constant part if `follows`
     double factor = 0.0;  // if `follows`: increase of the limit per unit of compression of the normal link
     bool follows = false;  // the limit depends on the force of another link
     bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
     /// Friction limit [N] if the corresponding normal link has the force `from` [N], compression negative.
     double limit(double from) const { return high + std::max(0.0, -factor * from); }
+};
+
+struct FlatLaw {
+    double stiffness = 0.0, offset = 0.0;
+    FlatBounds bounds;
 };
 
 /// Like `std::clamp`, but without branches. The states of links vary too much for branch prediction.
@@ -34,23 +39,24 @@ inline double clipped(double x, double low, double high) {
 inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     const Law& law = link.law;
-    FlatLaw flat{law.stiffness, law.offset, -unlimited, unlimited};
-    if (law.kind == LawKind::Gap) flat.high = 0.0;
-    if (law.kind == LawKind::Capped) flat.low = -law.limit, flat.high = law.limit;
-    if (law.kind == LawKind::Constant) flat.low = flat.high = law.limit;
+    FlatBounds bounds{-unlimited, unlimited};
+    if (law.kind == LawKind::Gap) bounds.high = 0.0;
+    if (law.kind == LawKind::Capped) bounds.low = -law.limit, bounds.high = law.limit;
+    if (law.kind == LawKind::Constant) bounds.low = bounds.high = law.limit;
     const bool weighted = ofContact(link.kind) && problem.contactShare != 1.0;
-    flat.bent = weighted || law.kind == LawKind::Curve || ruleOf(problem, link).rule != ForceRule::End;
-    return flat;
+    bounds.bent = weighted || law.kind == LawKind::Curve || ruleOf(problem, link).rule != ForceRule::End;
+    return {law.stiffness, law.offset, bounds};
 }
 
 /// Compact form of the law of the link `pair.limited`, whose limit follows the force of the link `pair.from`.
 inline FlatLaw flatLaw(const StepProblem& problem, const LimitPair& pair) {
     const Link& link = problem.links[pair.limited];
     FlatLaw flat = flatLaw(problem, link);
-    flat.follows = link.law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
-    flat.bent = flat.bent || !flat.follows;
-    flat.factor = pair.factor;
-    flat.high = pair.base;
+    FlatBounds& bounds = flat.bounds;
+    bounds.follows = link.law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
+    bounds.bent = bounds.bent || !bounds.follows;
+    bounds.factor = pair.factor;
+    bounds.high = pair.base;
     return flat;
 }
 

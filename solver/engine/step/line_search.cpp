@@ -29,7 +29,7 @@ public:
         double slope = constant_ + length * rate_;
         for (std::size_t n = 0; n < rows_.size(); ++n) {
             const Row& row = rows_[n];
-            forces_[n] = row.from < 0 ? forceOf(row, length, row.law.low, row.law.high)
+            forces_[n] = row.from < 0 ? forceOf(row, length, row.law.bounds.low, row.law.bounds.high)
                                       : limitedForce(row, length, forces_[row.from]);
             slope += row.share * forces_[n] * row.rate;
         }
@@ -88,13 +88,13 @@ private:
 
     double forceOf(const Row& row, double length, double low, double high) const {
         const double strain = row.strain + length * row.rate;
-        if (row.law.bent) return respond(problem_, problem_.links[row.link], strain).force;
+        if (row.law.bounds.bent) return respond(problem_, problem_.links[row.link], strain).force;
         return clipped(row.law.stiffness * (strain - row.law.offset), low, high);
     }
 
     double limitedForce(const Row& row, double length, double from) {
-        if (row.law.bent) setLimit(problem_, problem_.limitPairs[row.pair], from);
-        const double most = row.law.limit(from);
+        if (row.law.bounds.bent) setLimit(problem_, problem_.limitPairs[row.pair], from);
+        const double most = row.law.bounds.limit(from);
         return forceOf(row, length, -most, most);
     }
 

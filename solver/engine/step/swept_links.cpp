@@ -58,6 +58,7 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links)
         follower[pair.from] = pair.limited;
     }
     rows_.reserve(links.count());
+    bounds_.reserve(links.count());
     for (std::size_t i = 0; i < links.count(); ++i) {
         const Law& law = problem.links[i].law;
         const bool weak = law.stiffness == 0.0 && law.kind != LawKind::Constant;
@@ -92,9 +93,12 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     row.firstB = problem_.links[link].b >= 0 ? links_.firstOfB(link) : 6 * problem_.blocks;
     row.start = links_.start(link) + links_.rate(link, driven_.data());
     scaleGradient(row);
-    row.law = pair < 0 ? flatLaw(problem_, problem_.links[link])
-                       : flatLaw(problem_, problem_.limitPairs[pair]);
+    const FlatLaw law = pair < 0 ? flatLaw(problem_, problem_.links[link])
+                                 : flatLaw(problem_, problem_.limitPairs[pair]);
+    row.stiffness = law.stiffness;
+    row.offset = law.offset;
     rows_.push_back(row);
+    bounds_.push_back(law.bounds);
 }
 
 void SweptLinks::scaleGradient(Row& row) const {
@@ -110,15 +114,15 @@ void SweptLinks::scaleGradient(Row& row) const {
     row.compliance = row.share * all.squaredNorm();
 }
 
-inline SweptLinks::Bounds SweptLinks::bounds(std::size_t n, const std::vector<double>& forces) const {
-    const Row& row = rows_[n];
-    if (row.law.bent) return bentBounds(n, forces);
-    if (!row.law.follows) return {row.law.low, row.law.high};
-    const double most = row.law.limit(forces[n - 1]);
+inline SweptLinks::Range SweptLinks::range(std::size_t n, const std::vector<double>& forces) const {
+    const FlatBounds& bounds = bounds_[n];
+    if (bounds.bent) return bentRange(n, forces);
+    if (!bounds.follows) return {bounds.low, bounds.high};
+    const double most = bounds.limit(forces[n - 1]);
     return {-most, most};
 }
 
-SweptLinks::Bounds SweptLinks::bentBounds(std::size_t n, const std::vector<double>& forces) const {
+SweptLinks::Range SweptLinks::bentRange(std::size_t n, const std::vector<double>& forces) const {
     const Row& row = rows_[n];
     if (row.pair >= 0) setLimit(problem_, problem_.limitPairs[row.pair], forces[n - 1]);
     const Link& link = problem_.links[row.link];
@@ -127,19 +131,19 @@ SweptLinks::Bounds SweptLinks::bentBounds(std::size_t n, const std::vector<doubl
     return {-unlimited, link.law.kind == LawKind::Gap ? 0.0 : unlimited};
 }
 
-double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const { return bounds(n, forces).high; }
+double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const { return range(n, forces).high; }
 
 double SweptLinks::strain(std::size_t n, double force) const {
     const Row& row = rows_[n];
-    if (row.law.bent) return bentStrains_[n];
-    return row.law.stiffness > 0.0 ? row.law.offset + force / row.law.stiffness : row.start;
+    if (bounds_[n].bent) return bentStrains_[n];
+    return row.stiffness > 0.0 ? row.offset + force / row.stiffness : row.start;
 }
 
 double SweptLinks::tangent(std::size_t n) const {
     const Row& row = rows_[n];
     const Link& link = problem_.links[row.link];
-    if (row.law.bent) return respond(problem_, link, bentStrains_[n]).tangent;
-    return link.law.kind == LawKind::Constant ? 0.0 : row.law.stiffness;
+    if (bounds_[n].bent) return respond(problem_, link, bentStrains_[n]).tangent;
+    return link.law.kind == LawKind::Constant ? 0.0 : row.stiffness;
 }
 
 void SweptLinks::hold(const Eigen::VectorXd& outer, const Trial& from) {
@@ -196,8 +200,8 @@ void SweptLinks::sweepChains() {
 
 void SweptLinks::clip(std::vector<double>& forces) {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const Bounds b = bounds(n, forces);
-        forces[n] = std::clamp(forces[n], b.low, b.high);
+        const Range within = range(n, forces);
+        forces[n] = std::clamp(forces[n], within.low, within.high);
     }
 }
 
@@ -217,8 +221,8 @@ void SweptLinks::clipAndPlace(std::vector<double>& forces) {
 
 void SweptLinks::clipPlaced(std::vector<double>& forces) {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const Bounds b = bounds(n, forces);
-        const double force = clipped(forces[n], b.low, b.high);
+        const Range within = range(n, forces);
+        const double force = clipped(forces[n], within.low, within.high);
         if (force != forces[n]) move(rows_[n], force - forces[n]);
         forces[n] = force;
     }
@@ -240,14 +244,15 @@ SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorX
     changes.setZero(static_cast<Eigen::Index>(rows_.size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const Row& row = rows_[n];
-        const Bounds within = bounds(n, forces);
+        const Range within = range(n, forces);
         const double before = forces[n];
         if (within.high == 0.0 && within.low == 0.0 && before == 0.0) continue;
         const Eigen::Map<const Vector6> ga(row.gradient.data()), gb(row.gradient.data() + 6);
         Eigen::Map<Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
         const double free = row.start + ga.dot(a) + gb.dot(b) + row.compliance * before;
-        const double straight = row.law.stiffness * (free - row.law.offset) / (1.0 + row.law.stiffness * row.compliance);
-        const double force = row.law.bent ? bentForce(row, free, before) : std::clamp(straight, within.low, within.high);
+        const double straight = row.stiffness * (free - row.offset) / (1.0 + row.stiffness * row.compliance);
+        const double force = bounds_[n].bent ? bentForce(row, free, before)
+                                             : std::clamp(straight, within.low, within.high);
         const double more = force - before;
         sum.changed += more * more;
         sum.forces += force * force;

@@ -78,12 +78,13 @@ private:
         double start = 0.0;  // strain at zero scaled displacement
         double share = 1.0;
         double compliance = 0.0;  // strain per unit force
-        FlatLaw law;
+        double stiffness = 0.0, offset = 0.0;  // of its law
         int firstA = 0, firstB = 0;  // first unknowns of the two bodies
         int pair = -1;  // row of limitPairs; −1: none
         std::size_t link = 0;
     };
-    struct Bounds {
+    /// Bounds of a force while the others are as they are [N].
+    struct Range {
         double low = 0.0, high = 0.0;
     };
     /// A chain of bolt nodes in scaled unknowns. Its force on its blocks is `force` − `give`·x, where x are their
@@ -98,8 +99,8 @@ private:
     void addRow(std::size_t link, int pair);
     void scaleGradient(Row& row) const;
     void move(const Row& row, double force);
-    Bounds bounds(std::size_t n, const std::vector<double>& forces) const;
-    Bounds bentBounds(std::size_t n, const std::vector<double>& forces) const;
+    Range range(std::size_t n, const std::vector<double>& forces) const;
+    Range bentRange(std::size_t n, const std::vector<double>& forces) const;
     double bentForce(const Row& row, double free, double force);
     void holdChains(const Trial& from);
     void sweepChains();
@@ -109,6 +110,7 @@ private:
     bool possible_ = true;
     std::vector<Matrix6> scales_;  // per block: L⁻¹; columns of prescribed unknowns are zero
     std::vector<Row> rows_;  // each normal force before its friction
+    std::vector<FlatBounds> bounds_;  // per row; apart from it, for the loops that only limit the forces
     std::vector<double> bentStrains_;  // per row
     Eigen::VectorXd driven_;  // prescribed displacements (padded)
     // scaled displacements (padded): under the force set by `hold` alone, and under all forces
