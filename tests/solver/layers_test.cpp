@@ -153,6 +153,7 @@ const std::vector<Room> rooms{
      {"ui/start",   "ui/export",    "ui/study",     "ui/help",    "ui/docks",       "ui/runs",      "ui/panels",
       "ui/tools",   "ui/canvas",    "ui/document",  "ui/look",    "ui/view",        "ui/edit",      "ui/figure",
       "ui/picture", "solver/study", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+    {"app/memory", {}},
     {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
      {"ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify", "solver/files",
