@@ -18,6 +18,7 @@ namespace keyblock {
 struct BlockRest {
     bool asleep = false;  // left out of the steps, with its velocity zero
     int quietSteps = 0;  // number of steps in succession in which it hardly moved
+    double stepError = 0.0;  // what steps may leave unbalanced on it, when it fell asleep [N]
     /// Change of the force along and across `BlockMotion::axis` [N] and of the moment [N m] since it fell asleep.
     Eigen::Vector3d change = Eigen::Vector3d::Zero();
 

@@ -39,9 +39,9 @@ double judgedMass(const Model& model, std::size_t block) {
     return std::max(own.mass, model.blocks[model.firstOf[own.rock]].mass);
 }
 
-/// Most that may be left unbalanced on a sleeping block [N].
-double mostLeft(const Model& model, std::size_t block, const SleepLimits& limits) {
-    return limits.tolerance * limits.weight * judgedMass(model, block);
+/// Most that may be left unbalanced on a sleeping block [N]. \param stepError what steps may leave there [N].
+double mostLeft(const Model& model, std::size_t block, const SleepLimits& limits, double stepError) {
+    return std::max(limits.tolerance * limits.weight * judgedMass(model, block), stepError);
 }
 
 /// The larger of a force and of a moment over the size of the block [N].
@@ -49,21 +49,16 @@ double sizeOf(const BlockModel& block, const Eigen::Vector3d& force) {
     return std::max(force.head<2>().norm(), std::abs(force[2]) / block.size);
 }
 
-/// Change of the force or moment on a block over the most that is allowed while it sleeps.
-double disturbance(const Model& model, std::size_t block, const SleepLimits& limits, const Eigen::Vector3d& change) {
-    return sizeOf(model.blocks[block], change) / mostLeft(model, block, limits);
-}
-
 /// What steps may leave unbalanced on each block at the tolerance of the scene [N].
-std::vector<double> stepNoise(const Model& model, const StepProblem& problem) {
-    std::vector<double> noise(model.blocks.size(), 0.0);
+std::vector<double> stepErrors(const Model& model, const StepProblem& problem) {
+    std::vector<double> errors(model.blocks.size(), 0.0);
     for (const Link& link : problem.links) {
         const double force = link.law.share * std::abs(respond(link.law, link.strain).force);
         for (const auto& [body, gradient] : {std::pair(link.a, &link.ga), std::pair(link.b, &link.gb)})
             if (body >= 0 && body < problem.blocks)
-                noise[body] += model.numerics.tolerance * force * gradient->head<2>().norm();
+                errors[body] += model.numerics.tolerance * force * gradient->head<2>().norm();
     }
-    return noise;
+    return errors;
 }
 
 /// Number of rings of blocks around a disturbed block that wake with it. In a plane the stress under a force falls with
@@ -156,18 +151,17 @@ bool fallAsleep(const Model& model, const Loads& loads, const LoadPoint& at, con
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
     correctFrictionLimits(problem, still);
     const Eigen::VectorXd net = netForce(problem, still);
-    const std::vector<double> noise = stepNoise(model, problem);
+    const std::vector<double> errors = stepErrors(model, problem);
     for (std::size_t i = 0; i < may.size(); ++i) {
         const Eigen::Vector3d left = net.segment<3>(6 * static_cast<Eigen::Index>(i));
-        const double most = std::max(mostLeft(model, i, limits), noise[i]);
-        may[i] = may[i] && sizeOf(model.blocks[i], left) <= most;
+        may[i] = may[i] && sizeOf(model.blocks[i], left) <= mostLeft(model, i, limits, errors[i]);
     }
     keepWhole(model, may);
     if (std::none_of(may.begin(), may.end(), [](char one) { return one; })) return false;
     const double before = kineticEnergy(model, state);
     for (std::size_t i = 0; i < may.size(); ++i) {
         if (!may[i]) continue;
-        state.blocks[i].rest = {true, 0, Eigen::Vector3d::Zero()};
+        state.blocks[i].rest = {true, 0, errors[i], Eigen::Vector3d::Zero()};
         state.blocks[i].velocity.setZero();
     }
     const std::vector<char> bolts = awakeBolts(model, state);
@@ -210,8 +204,9 @@ bool wakeDisturbed(const Model& model, const SleepLimits& limits, const BlockFor
     std::vector<int> rings(state.blocks.size(), 0);
     bool any = false;
     for (std::size_t i = 0; i < rings.size(); ++i) {
-        if (!state.blocks[i].rest.asleep) continue;
-        const double disturbed = disturbance(model, i, limits, changes[i]);
+        const BlockRest& rest = state.blocks[i].rest;
+        if (!rest.asleep) continue;
+        const double disturbed = sizeOf(model.blocks[i], changes[i]) / mostLeft(model, i, limits, rest.stepError);
         if (disturbed <= 1.0) continue;
         any = true;
         const int first = wholeOf(model, static_cast<int>(i));

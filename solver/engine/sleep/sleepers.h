@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which blocks sleep. A block falls asleep after it has hardly moved for a number of
-// steps, and wakes as soon as the force or moment on it has changed by more than the
-// tolerance since then (theory, "Sleep").
+// steps, and wakes as soon as the force or moment on it has changed since then by more
+// than the tolerance, or than what steps may leave on it (theory, "Sleep").
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -41,8 +41,8 @@ void countQuietSteps(const Model& model, const Eigen::VectorXd& d, double dt, co
 std::vector<char> mayFallAsleep(const Model& model, const Loads& loads, const State& state);
 
 /// Lets those of the blocks `may` fall asleep on which the forces balance, to the tolerance of sleep or to what steps
-/// may leave there, and the bolts that cross no other. Their
-/// kinetic energy counts as damped. \param at the present loads. \return true if any fell asleep.
+/// may leave there, and the bolts that cross no other. Their kinetic energy counts as damped.
+/// \param at the present loads. \return true if any fell asleep.
 bool fallAsleep(const Model& model, const Loads& loads, const LoadPoint& at, const SleepLimits& limits,
                 std::vector<char> may, State& state);
 
@@ -57,7 +57,8 @@ bool isSameForce(const LoadPoint& a, const LoadPoint& b);
 BlockForces loadChanges(const Model& model, const State& state, const Loads& loads, const LoadPoint& before,
                         const LoadPoint& after);
 
-/// Wakes the blocks whose force has changed by more than the tolerance, and the sleeping blocks around them.
+/// Wakes the blocks whose force has changed by more than the tolerance and than what steps may leave there, and the
+/// sleeping blocks around them.
 /// \param changes per block, since it fell asleep. \return true if any woke.
 bool wakeDisturbed(const Model& model, const SleepLimits& limits, const BlockForces& changes, State& state);
 
