@@ -24,6 +24,12 @@ bool known(const StepProblem& problem, Eigen::Index unknown) {
 
 bool sameLink(const Link& a, const Link& b) { return a.kind == b.kind && a.owner == b.owner && a.part == b.part; }
 
+/// True if a contact lasted from the start of a search to its end. If it ended on the way and formed again, it has
+/// neither its force nor its zero point; what a contact takes over from others only increases both.
+bool lasted(const Contact& start, const Contact& end) {
+    return end.normalForce >= start.normalForce && end.gapOffset >= start.gapOffset;
+}
+
 /// The limits of the laws of all links of `problem`, in their order.
 std::vector<double> limitsOf(const StepProblem& problem) {
     std::vector<double> limits;
@@ -135,8 +141,10 @@ StepProblem StaticAccount::atStart(const State& end) const {
 }
 
 const Contact* StaticAccount::contactAtStart(const Link& link, const State& end) const {
-    return ofContact(link.kind) ? sameContact(start_.contacts, end.contacts[link.owner])
-                                : nullptr;
+    if (!ofContact(link.kind)) return nullptr;
+    const Contact& now = end.contacts[link.owner];
+    const Contact* own = sameContact(start_.contacts, now);
+    return own && lasted(*own, now) ? own : nullptr;
 }
 
 /// Work of contacts that have ended: half of their force at the start times their displacement [J].
@@ -147,7 +155,7 @@ double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& 
     double sum = 0.0;
     for (const Link& link : problem.links) {
         const Contact& c = start_.contacts[link.owner];
-        if (sameContact(end.contacts, c)) continue;
+        if (const Contact* now = sameContact(end.contacts, c); now && lasted(c, *now)) continue;
         const double way = link.ga.dot(moved.segment<6>(6 * link.a)) + link.gb.dot(moved.segment<6>(6 * link.b));
         const double shear = link.law.rigid ? c.shearForce : std::clamp(c.shearForce, -link.law.limit, link.law.limit);
         sum += 0.5 * (link.kind == LinkKind::Normal ? -c.normalForce : shear) * way;
