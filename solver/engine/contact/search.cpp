@@ -115,6 +115,27 @@ bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const
     return true;
 }
 
+/// Whether a search for another path would find the same contacts of those two blocks, before histories are considered.
+bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair) {
+    std::vector<Contact> found = candidatesAgain(search, pair);
+    dropDoubles(search, found);
+    std::sort(found.begin(), found.end(), comesBefore);
+    return std::ranges::equal(found, search.before, [](const Contact& x, const Contact& y) {
+        return ContactPlace(x) == ContactPlace(y);
+    });
+}
+
+/// The same for all pairs of blocks. Only contacts that depend on the path are searched for again.
+bool findsTheSame(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
+                  const FoundCorners& corners, const std::vector<Drift>& drift) {
+    const Standings standings(model, blocks, contacts);
+    return std::ranges::all_of(corners.pairs, [&](const FoundCorners::Pair& pair) {
+        if (std::ranges::none_of(pair.corners, &FoundCorners::Corner::byPath)) return true;
+        const std::span<const Contact> own = contactsBetween(contacts, pair.corners[0].a, pair.corners[0].b);
+        return findsTheSame({model, blocks, own, drift, corners.outlines, standings, corners.margin}, pair);
+    });
+}
+
 /// The contacts that a search from the present positions would find for another path. Those in `before` are copied.
 std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
                                 const std::vector<Contact>& before, const FoundCorners& corners,
@@ -207,6 +228,7 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
     if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
+    if (findsTheSame(model, blocks, contacts, found, drift)) return true;
     const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);
     return sameEntrances(blocks, drift, model.tolerance, contacts, now);
 }
