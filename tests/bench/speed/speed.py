@@ -64,11 +64,17 @@ def measure(arguments):
             continue
         entries.append(measured(arguments.program, name, scene))
         print(row(cell(entries[-1], key, form) for _, key, form in COLUMNS), flush=True)
+        if arguments.json:
+            write(pathlib.Path(arguments.json), entries)
     if not entries:
         sys.exit("no scene has one of these names")
-    if arguments.json:
-        text = json.dumps({"scenes": entries}, indent=1) + "\n"
-        pathlib.Path(arguments.json).write_text(text, encoding="utf-8")
+
+
+def write(path, entries):
+    """Replaces the file as a whole after every scene, so that an interrupted measurement keeps what it has."""
+    part = path.with_name(path.name + ".part")
+    part.write_text(json.dumps({"scenes": entries}, indent=1) + "\n", encoding="utf-8")
+    part.replace(path)
 
 
 def read(path):
