@@ -137,7 +137,7 @@ make bench BENCH_JSON=FILE{large}
 /usr/bin/python3 tests/bench/speed/speed.py page FILE resources/help/speed.md
 ```
 
-Times are CPU times and depend on the machine. *F* is the time of one numeric factorization of the scene's matrix with all contacts closed, *S* that of one back-substitution; *step/F* therefore compares machines. In a static scene the whole run counts as one step.
+Times are CPU times and depend on the machine. *F* is the time of one numeric factorization of the scene's matrix with all contacts closed, *S* that of one back-substitution; *step/F* therefore compares machines. On a shared machine times scatter, as *F* of the same wall in several rows shows. In a static scene the whole run counts as one step.
 
 {scenes}
 
