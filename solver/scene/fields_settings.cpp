@@ -131,8 +131,8 @@ const Structure& structureOf(const Analysis*) {
             row<&Analysis::sleepTolerance>(
                 "sleep_tolerance",
                 "Unbalanced force on a block, divided by its weight, up to which the block may sleep in dynamic stages: a "
-                "block that has come to rest is left out of the steps until the force on it changes by more. 0: no block "
-                "sleeps.",
+                "block that has come to rest is left out of the steps until the force on it changes by more, and "
+                "by more than a step may leave unbalanced. 0: no block sleeps.",
                 {.range = {.least = 0.0, .most = 1.0},
                  .heading = numerical,
                  .isRare = true,

@@ -115,7 +115,7 @@ bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const
     return true;
 }
 
-/// Whether a search for another path would find the same contacts of those two blocks, before histories are considered.
+/// Whether a search for another path would find the contacts in `search.before` again. \param pair the two blocks.
 bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair) {
     std::vector<Contact> found = candidatesAgain(search, pair);
     dropDoubles(search, found);
