@@ -51,8 +51,25 @@ std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b, F
     return found;
 }
 
-/// Finds the candidates again for another path.
-std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Pair& pair) {
+/// For each block, whether one of its corners moves by so much that it, or a corner near the block, may come near edges
+/// that a search with this margin did not consider.
+std::vector<char> movesFar(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift,
+                           double margin) {
+    std::vector<char> far(blocks.size(), 0);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (drift[i].turn == 0.0 && 2.0 * drift[i].shift.norm() <= margin) continue;
+        double reach = 0.0;
+        for (const Point& corner : blocks[i].corners) reach = std::max(reach, (corner - blocks[i].centroid).norm());
+        reach += model.blocks[i].size + 2.0 * margin;  // includes corners near an edge of this block or past its end
+        far[i] = 2.0 * (drift[i].shift.norm() + std::abs(drift[i].turn) * reach) > margin;
+    }
+    return far;
+}
+
+/// Finds the candidates of two blocks again for another path. \param isFar true if all their corners have to be
+/// searched, not only those that were found.
+std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
+    if (isFar) return candidatesOf(search, pair.a, pair.b, nullptr);
     std::vector<Contact> found;
     found.reserve(pair.contacts.size());
     for (const FoundCorners::Corner& c : pair.corners) {
@@ -102,22 +119,9 @@ std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
     return contacts;
 }
 
-/// Whether no corner moves by more than the margin relative to the blocks near it.
-bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift,
-               double margin) {
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (drift[i].turn == 0.0 && 2.0 * drift[i].shift.norm() <= margin) continue;
-        double reach = 0.0;
-        for (const Point& corner : blocks[i].corners) reach = std::max(reach, (corner - blocks[i].centroid).norm());
-        reach += model.blocks[i].size + 2.0 * margin;  // includes corners near an edge of this block or past its end
-        if (2.0 * (drift[i].shift.norm() + std::abs(drift[i].turn) * reach) > margin) return false;
-    }
-    return true;
-}
-
-/// Whether a search for another path would find the contacts in `search.before` again. \param pair the two blocks.
-bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair) {
-    std::vector<Contact> found = candidatesAgain(search, pair);
+/// Whether a search for another path would find the contacts between two blocks again.
+bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
+    std::vector<Contact> found = candidatesAgain(search, pair, isFar);
     dropDoubles(search, found);
     std::sort(found.begin(), found.end(), comesBefore);
     return std::ranges::equal(found, search.before, [](const Contact& x, const Contact& y) {
@@ -125,38 +129,14 @@ bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair)
     });
 }
 
-/// The same for all pairs of blocks. Only contacts that depend on the path are searched for again.
-bool findsTheSame(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                  const FoundCorners& corners, const std::vector<Drift>& drift) {
-    const Standings standings(model, blocks, contacts);
-    return std::ranges::all_of(corners.pairs, [&](const FoundCorners::Pair& pair) {
-        if (std::ranges::none_of(pair.corners, &FoundCorners::Corner::byPath)) return true;
-        const std::span<const Contact> own = contactsBetween(contacts, pair.corners[0].a, pair.corners[0].b);
-        return findsTheSame({model, blocks, own, drift, corners.outlines, standings, corners.margin}, pair);
-    });
-}
-
-/// The contacts that a search from the present positions would find for another path. Those in `before` are copied.
-std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
-                                const std::vector<Contact>& before, const FoundCorners& corners,
-                                const std::vector<Drift>& drift) {
-    const Standings standings(model, blocks, before);
-    std::vector<std::vector<Contact>> perPair(corners.pairs.size());
-    forEach(perPair.size(), pairsATask, [&](std::size_t i) {
-        const FoundCorners::Pair& pair = corners.pairs[i];
-        if (pair.corners.empty()) return;
-        const std::span<const Contact> own = contactsBetween(before, pair.corners[0].a, pair.corners[0].b);
-        const CandidateSearch search{model, blocks, own, drift, corners.outlines, standings, corners.margin};
-        perPair[i] = candidatesAgain(search, pair);
-        dropDoubles(search, perPair[i]);
-        for (Contact& contact : perPair[i]) {
-            if (const Contact* old = sameContact(own, contact)) contact = *old;
-            else giveHistory(model, blocks, own, false, contact);
-        }
-    });
-    std::vector<Contact> contacts = joined(perPair);
-    handOver(model, blocks, before, false, contacts);
-    dropHeldCorners(model, contacts);
+/// The contacts between two blocks that a search for another path would find. Those in `search.before` are copied.
+std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
+    std::vector<Contact> contacts = candidatesAgain(search, pair, isFar);
+    dropDoubles(search, contacts);
+    for (Contact& contact : contacts) {
+        if (const Contact* old = sameContact(search.before, contact)) contact = *old;
+        else giveHistory(search.model, search.blocks, search.before, false, contact);
+    }
     return contacts;
 }
 
@@ -205,7 +185,8 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
         const std::span<const Contact> own = contactsBetween(before, a, b);
         const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
         std::vector<Contact>& found = perPair[i];
-        found = candidatesOf(search, a, b, asked.corners ? &asked.corners->pairs[i] : nullptr);
+        FoundCorners::Pair* kept = asked.corners ? &(asked.corners->pairs[i] = {a, b, {}, {}}) : nullptr;
+        found = candidatesOf(search, a, b, kept);
         dropDoubles(search, found);
         for (Contact& contact : found) lost[i] += giveHistory(model, blocks, own, asked.first, contact);
     });
@@ -227,17 +208,27 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
                    const FoundCorners& found, const Eigen::VectorXd& path) {
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
-    if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
-    if (findsTheSame(model, blocks, contacts, found, drift)) return true;
-    const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);
+    const std::vector<char> far = movesFar(model, blocks, drift, found.margin);
+    const Standings standings(model, blocks, contacts);
+    const auto searchOf = [&](const FoundCorners::Pair& pair) {
+        return CandidateSearch{model,     blocks,      contactsBetween(contacts, pair.a, pair.b), drift, found.outlines,
+                               standings, found.margin};
+    };
+    const auto isFar = [&](const FoundCorners::Pair& pair) { return far[pair.a] || far[pair.b]; };
+    const bool same = std::ranges::all_of(found.pairs, [&](const FoundCorners::Pair& pair) {
+        const bool byPath = isFar(pair) || std::ranges::any_of(pair.corners, &FoundCorners::Corner::byPath);
+        return !byPath || findsTheSame(searchOf(pair), pair, isFar(pair));
+    });
+    if (same) return true;
+    std::vector<std::vector<Contact>> perPair(found.pairs.size());
+    forEach(perPair.size(), pairsATask, [&](std::size_t i) {
+        const FoundCorners::Pair& pair = found.pairs[i];
+        if (isFar(pair) || !pair.corners.empty()) perPair[i] = contactsOn(searchOf(pair), pair, isFar(pair));
+    });
+    std::vector<Contact> now = joined(perPair);
+    handOver(model, blocks, contacts, false, now);
+    dropHeldCorners(model, now);
     return sameEntrances(blocks, drift, model.tolerance, contacts, now);
-}
-
-bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path) {
-    const std::vector<Contact> now =
-        findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr, nullptr});
-    return sameEntrances(blocks, driftOf(blocks, &path), model.tolerance, contacts, now);
 }
 
 }  // namespace keyblock

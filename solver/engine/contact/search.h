@@ -24,12 +24,13 @@ struct FoundCorners {
     };
     /// The corners of two blocks, and the contacts of all of them.
     struct Pair {
+        int a = -1, b = -1;
         std::vector<Corner> corners;
         std::vector<Contact> contacts;
     };
     double margin = 0.0;  // margin of the search [m]
     std::vector<Outline> outlines;  // outlines of the blocks in the search
-    std::vector<Pair> pairs;  // per pair of blocks
+    std::vector<Pair> pairs;  // pairs of blocks near each other
 };
 
 /// Options of a contact search.
@@ -55,12 +56,10 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                                   const std::vector<Contact>& before, double margin, bool first);
 
 /// Checks `contacts` against a displacement `path` that was not known when they were found: false if a corner would
-/// enter a block through an edge other than the one in `contacts`. The first overload uses `found`, the result of the
-/// search for `contacts`; the second searches again with the same margin.
+/// enter a block through an edge other than the one in `contacts`.
+/// \param found the corners found by the search for `contacts`.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path);
-bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   double margin, const Eigen::VectorXd& path);
 
 }  // namespace keyblock

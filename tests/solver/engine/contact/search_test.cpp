@@ -198,12 +198,13 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
     const Found found(boxes({{{0, 0}, {1, 1}}, {{1.1, 1.05}, {2.1, 2.05}}}));
     const Eigen::VectorXd over = pathOf({-0.3, -0.1}), beside = pathOf({-0.15, -0.3});
     for (const auto& [path, normal] : {std::pair(&over, Point(0, 1)), std::pair(&beside, Point(1, 0))}) {
-        const std::vector<Contact> contacts =
-            findContacts(found.model, found.state.blocks, {}, {0.5, false, false, path, nullptr});
+        FoundCorners corners;
+        const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {},
+                                                           {0.5, false, false, path, nullptr, &corners});
         EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
-        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, corners, *path));
         const Eigen::VectorXd& other = path == &over ? beside : over;
-        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other));
+        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, corners, other));
     }
 }
 
