@@ -93,6 +93,7 @@ constexpr auto blocks = [](const Facts& f, const auto&) { return f.model.blocks.
 constexpr auto bolts = [](const Facts& f, const auto&) { return f.model.bolts.size(); };
 constexpr auto stages = [](const Facts& f, const auto&) { return f.scene.stages.size(); };
 constexpr auto openings = [](const Facts& f, const auto&) { return f.model.openings; };
+constexpr auto unknowns = [](const Facts& f, const auto&) { return 6 * f.model.blocks.size() + 3 * f.model.nodes; };
 constexpr auto anyIndex = [](const Facts&, const auto&) { return 1L << 30; };
 constexpr auto isBlock = [](const Facts& f, const auto&, int block) { return isBelow(block, f.model.blocks.size()); };
 constexpr auto arePairs = [](const Facts& f, const auto&, const std::pair<int, int>& pair) {
@@ -185,8 +186,7 @@ inline constexpr auto rows<State> = std::tuple{
     length("glue", &State::glue, [](const Facts& f, const State&) { return f.model.glue.size(); }),
     row("bolts", &State::bolts, [](const Facts& f, const State& s) { return areBoltsOf(f.model, s.bolts); }),
     lengthOrNone("openings", &State::openings, openings),
-    lengthOrNone("acceleration", &State::acceleration,
-                 [](const Facts& f, const State&) { return 6 * f.model.blocks.size() + 3 * f.model.nodes; }),
+    lengthOrNone("acceleration", &State::acceleration, unknowns),
     count("step", &State::step)};
 
 template <>
@@ -195,6 +195,9 @@ inline constexpr auto rows<Limit> = std::tuple{index("owner", &Limit::owner, -1,
 
 template <>
 inline constexpr auto rows<PassedLimit> = std::tuple{count("cause", &PassedLimit::cause, -1)};
+
+template <>
+inline constexpr auto rows<LoadResponse> = std::tuple{lengthOrNone("moved", &LoadResponse::moved, unknowns)};
 
 template <>
 inline constexpr auto rows<IncrementProgress> = std::tuple{

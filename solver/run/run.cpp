@@ -289,9 +289,12 @@ private:
         const bool turned = now_.increment == 0 || std::any_of(turns.begin(), turns.end(), [&](double turn) {
             return std::abs(turn - time) < 1e-12;
         });
-        const ChosenLength chosen = turned ? ChosenLength{} : now_.within.chosen;
-        now_.within = {};
-        now_.within.chosen = chosen;
+        IncrementProgress next;
+        if (!turned) {
+            next.chosen = now_.within.chosen;
+            next.response = std::move(now_.within.response);
+        }
+        now_.within = std::move(next);
         ++now_.increment;
     }
 

@@ -213,7 +213,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         Eigen::VectorXd d = start;
         const SolveReport report = solveStep(
             engine_, problem, trial.state, d,
-            {.tolerance = model.numerics.tolerance, .again = again, .sweepsFirst = &pace.sweepsFirst});
+            {.tolerance = model.numerics.tolerance, .fromGuess = again, .sweepsFirst = &pace.sweepsFirst});
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;

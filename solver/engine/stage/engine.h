@@ -67,7 +67,7 @@ struct StepNeeds {
     double tolerance = 1e-4;  // unbalanced force over the acting forces
     int maxPasses = 0;  // maximum number of iterations; 0: that of the scene
     bool convex = false;  // use Newton's method even if the scene selects open–close iteration
-    bool again = false;  // as in `SolveSettings`
+    bool fromGuess = false;  // as in `SolveSettings`
     int sweepsFrom = 0;  // as in `SolveSettings`
     bool* sweepsFirst = nullptr;  // as in `SolveSettings`
 };

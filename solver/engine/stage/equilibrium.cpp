@@ -68,11 +68,14 @@ double longestPseudoStep(const Model& model) {
 
 class Equilibrium {
 public:
-    Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings)
+    /// \param expected an estimate of the displacement over the search, per unknown; empty: unknown.
+    Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings,
+                Eigen::VectorXd expected)
         : engine_(engine), model_(engine.model), state_(state), loads_(loads), at_(path.at), settings_(settings),
           account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
           falls_(engine.model, state, {settings.body, settings.smallest, settings.fallsFrom}),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
+          whole_(moved_), expected_(std::move(expected)),
           tolerance_(std::min(settings.unbalanced, engine.model.numerics.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
           moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * engine.model.smallest),
@@ -94,6 +97,9 @@ public:
         return moving(Ending::Undecided);
     }
 
+    /// Displacement since the search began, per unknown.
+    const Eigen::VectorXd& moved() const { return whole_; }
+
 private:
     enum class Outcome { Balanced, Moved, Repeat, Stopped, Unsettled };
 
@@ -108,7 +114,7 @@ private:
     /// attempt has a shorter step or a known path.
     Outcome tryStep(long step) {
         reach_ = driven_ ? moveLimit_ : std::max(moveLimit_, moveRoom * expectedMove());
-        searchContacts(paths_ > 0 ? &path_ : nullptr);
+        searchContacts(paths_ > 0 ? &path_ : isEstimated() ? &expected_ : nullptr);
         const bool lock = taken_ < lockedSteps && state_.step == 0 && unloaded(state_);
         if (lock && !locked_) dt_ = longest_;  // nothing slides, so no step is too long
         if (!lock && locked_) {
@@ -127,11 +133,12 @@ private:
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
+        else if (isEstimated()) d = expected_;
         else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // falling blocks continue to fall
         report_ = solveStep(engine_, problem, state_, d, needs());
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
-        if (!report_.converged && !goodEnough) return shorten(unsettledCut);
+        if (!report_.converged && !goodEnough) return isEstimated() ? dropEstimate() : shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
@@ -143,9 +150,14 @@ private:
         return Outcome::Moved;
     }
 
+    /// True for the first attempt of a search whose displacement can be estimated.
+    bool isEstimated() const { return expected_.size() > 0; }
+
+    /// \param path displacement over the coming pseudo-step, an estimate unless the step is repeated; null: at rest.
     void searchContacts(const Eigen::VectorXd* path) {
-        state_.contacts = findContacts(model_, state_.blocks, state_.contacts,
-                                       {searchMargin(), false, true, path, &state_.energy.released, &corners_, !path});
+        state_.contacts = findContacts(
+            model_, state_.blocks, state_.contacts,
+            {searchMargin(), false, true, path, &state_.energy.released, &corners_, paths_ == 0});
         meetDilated(state_, state_.contacts);
     }
 
@@ -161,9 +173,12 @@ private:
     }
 
     StepNeeds needs() const {
-        if (!mayBeRough()) return {.tolerance = tolerance_, .sweepsFrom = std::numeric_limits<int>::max()};
+        const bool fromGuess = paths_ > 0 || isEstimated();
+        if (!mayBeRough())
+            return {.tolerance = tolerance_, .fromGuess = fromGuess, .sweepsFrom = std::numeric_limits<int>::max()};
         return {.tolerance = tolerance_,
                 .maxPasses = std::min(mostPasses, model_.numerics.maxPasses),
+                .fromGuess = fromGuess,
                 .sweepsFrom = sweepPatience};
     }
 
@@ -234,9 +249,17 @@ private:
         return Outcome::Repeat;
     }
 
+    /// Repeats a step that did not converge from the estimated displacement, starting from zero.
+    Outcome dropEstimate() {
+        expected_.resize(0);
+        paths_ = 0;
+        return Outcome::Repeat;
+    }
+
     /// Repeats a step that did not converge or moved too far with a shorter one, down to the shortest.
     Outcome shorten(double share) {
         ++engine_.health.stepCuts;
+        expected_.resize(0);
         dt_ *= share;
         return dt_ >= shortestPseudoStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
@@ -255,10 +278,12 @@ private:
 
     void take(const Eigen::VectorXd& d, const Moves& moves) {
         paths_ = 0;
+        expected_.resize(0);
         settled_ = report_.converged;
         ++taken_;
         moveBodies(model_, state_, d);
         moved_ += d;
+        whole_ += d;
         falls_.note(moves.blocks, dt_, rest_.own);
         noteFarthest();
         drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
@@ -478,6 +503,8 @@ private:
     std::vector<BlockMotion> booked_;  // the blocks at that time
     Falls falls_;
     Eigen::VectorXd moved_;  // displacement since then, summed over the pseudo-steps
+    Eigen::VectorXd whole_;  // the same since the search began
+    Eigen::VectorXd expected_;  // estimate of the displacement over the search; empty: unknown, or already used
     double tolerance_;
     bool driven_;  // by a prescribed motion or a dilation
     double moveLimit_;
@@ -506,10 +533,13 @@ private:
 }  // namespace
 
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
-                           const StaticSettings& settings) {
+                           const StaticSettings& settings, Eigen::VectorXd* moved) {
     engine.newest.searched = 0;
     engine.newest.moving = -1;
-    return Equilibrium(engine, state, loads, path, settings).find();
+    Equilibrium search(engine, state, loads, path, settings, moved ? std::move(*moved) : Eigen::VectorXd());
+    StepEnding ending = search.find();
+    if (moved) *moved = search.moved();
+    return ending;
 }
 
 double longestMoveOf(const Model& model) { return drivenShare * model.smallest; }

@@ -36,8 +36,10 @@ struct LoadPath {
 
 /// Moves the state to equilibrium under the loads `path.at`. If there is no equilibrium, or if the search cannot decide
 /// whether there is one, the blocks are left at the positions that they have reached.
+/// \param moved an estimate of the displacement over the search, per unknown, or empty; receives the displacement found.
+///        Null: unknown and not needed.
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
-                           const StaticSettings& settings);
+                           const StaticSettings& settings, Eigen::VectorXd* moved = nullptr);
 
 /// Largest prescribed displacement allowed in one search for equilibrium [m].
 double longestMoveOf(const Model& model);

@@ -31,6 +31,8 @@ constexpr int mostStalled = 3;  // number of consecutive tries that do not halve
 constexpr long longSearch = 40;  // iterations of a try after which the next try starts from its result
 constexpr double locateShare = 1e-4;  // accuracy with which an event is located, as a fraction of its limit
 
+constexpr double shortResponse = 0.1;  // of the last length: no displacement is estimated from a shorter load increase
+
 // Increments of automatic length, in pseudo-time.
 constexpr double longestBent = 0.1;  // maximum length if joints slide, open or close: gives enough points on curves
 constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
@@ -68,21 +70,41 @@ private:
     /// \param most the number of pseudo-steps after which the search ends as `Undecided`, within the total allowed.
     StepEnding equilibrium(State& state, double to, long most = std::numeric_limits<long>::max(),
                            bool followsFalls = true) {
-        return equilibrium(state, {reached(), between(a_, b_, to)}, most, followsFalls);
+        const double length = (to - progress_.done) * span();
+        Eigen::VectorXd moved = expectedOver(length);
+        StepEnding ending = equilibrium(state, {reached(), between(a_, b_, to)}, most, followsFalls, &moved);
+        if (ending.ending == Ending::Done) noteResponse(moved, length);
+        return ending;
     }
 
+    /// \param moved as in `findEquilibrium`.
     StepEnding equilibrium(State& state, const LoadPath& path, long most = std::numeric_limits<long>::max(),
-                           bool followsFalls = true) {
+                           bool followsFalls = true, Eigen::VectorXd* moved = nullptr) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
         if (progress_.moving()) settings.fallsFrom = &progress_.fallsFrom;
         settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
         const long before = engine_.health.steps;
-        StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings);
+        StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings, moved);
         progress_.solves += engine_.health.steps - before;
         if (ending.ending == Ending::Undecided && isWorkedOut())
             ending.message = "no verdict after " + std::to_string(progress_.solves) + " pseudo-steps: " + ending.message;
         return ending;
+    }
+
+    /// Estimated displacement over an increase of the load by `length`; empty if none is known.
+    Eigen::VectorXd expectedOver(double length) const {
+        const LoadResponse& last = progress_.response;
+        if (last.moved.empty() || !(last.length > 0.0) || !(length > 0.0)) return {};
+        const auto size = static_cast<Eigen::Index>(last.moved.size());
+        return length / last.length * Eigen::Map<const Eigen::VectorXd>(last.moved.data(), size);
+    }
+
+    /// Keeps the displacement over an increase of the load, unless it is so short that round-off would dominate.
+    void noteResponse(const Eigen::VectorXd& moved, double length) {
+        LoadResponse& last = progress_.response;
+        if (length > 0.0 && length >= shortResponse * last.length)
+            last = {std::vector<double>(moved.begin(), moved.end()), length};
     }
 
     /// Searches for equilibrium where no shorter increment can be tried. Falling blocks are followed unless

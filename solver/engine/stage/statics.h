@@ -23,6 +23,12 @@ struct ChosenLength {
     bool grows = true;  // lengths may still increase; false once a search failed or took too long
 };
 
+/// Displacement over the last load increase, from which that over the next one is estimated.
+struct LoadResponse {
+    std::vector<double> moved;  // per unknown; empty: unknown
+    double length = 0.0;  // of the load increase, in pseudo-time
+};
+
 /// Progress within a load increment. Together with the state, it determines what the next call of `moveStatic` does.
 struct IncrementProgress {
     double done = 0.0;  // completed fraction of the increment
@@ -37,6 +43,7 @@ struct IncrementProgress {
     std::vector<PassedLimit> passed;  // limits reached or exceeded at this load
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
     ChosenLength chosen;
+    LoadResponse response;
     double fails = 0.0;  // fraction at which a search found no equilibrium; 0: none yet
     double turnedTo = 0.0;  // fraction up to which a block turned too far; 0: none yet
     double turn = 0.0;  // its rotation, over the allowed one

@@ -92,7 +92,7 @@ private:
     /// Starts from zero displacement or from `guess`, whichever has the smaller residual: vibration from step to step
     /// does not show where a block will come to rest.
     void begin(Eigen::VectorXd guess) {
-        if (settings_.again) return judge(trialAt(problem_, rows_, std::move(guess)));
+        if (settings_.fromGuess) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
         for (int i = 0; i < problem_.unknowns(); ++i)
             if (!problem_.known[i]) still[i] = 0.0;
@@ -288,7 +288,7 @@ private:
         LocalStep local = localStep(problem_, bodies, trial_.d);
         Eigen::VectorXd own = local.taken(problem_, trial_.d), d = trial_.d;
         SolveSettings settings = settings_;
-        settings.again = true;
+        settings.fromGuess = true;
         settings.sweepsFrom = std::numeric_limits<int>::max();
         settings.sweepsFirst = nullptr;
         StepMatrix matrix;

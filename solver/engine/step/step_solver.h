@@ -17,7 +17,7 @@ struct SolveSettings {
     double tolerance = 1e-4;  // unbalanced force over the acting forces
     int maxPasses = 40;  // maximum number of iterations
     bool openClose = false;  // use the classical open–close iteration
-    bool again = false;  // the step was solved before with nearly the same contacts: start from that solution
+    bool fromGuess = false;  // start from the given displacement, even if zero displacement has the smaller residual
     int sweepsFrom = 0;  // number of iterations after which sweeps are tried
     bool* sweepsFirst = nullptr;  // in motion: whether the previous step needed sweeps; updated for the next one
 };

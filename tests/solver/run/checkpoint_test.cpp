@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 namespace keyblock {
@@ -45,7 +46,7 @@ void expectTheSameFromEveryCheckpoint(const Scene& scene, std::size_t atLeast) {
 TEST(Checkpoints, AStaticRunGoesOnBetweenItsReleases) { expectTheSameFromEveryCheckpoint(tearing(), 4); }
 
 TEST(Checkpoints, ChosenIncrementsGoOn) {
-    Scene scene = tearing();
+    Scene scene = tearing(39);
     scene.stages[0].increments.reset();
     expectTheSameFromEveryCheckpoint(scene, 2);
 }
@@ -111,6 +112,21 @@ TEST(Checkpoints, OneIncrementOfManyReleasesHasSome) {
     }
     EXPECT_GE(inside, 1u) << whole.kept.size();
     expectTheSameFromEveryCheckpoint(scene, 2);
+}
+
+/// The displacement from which that over the next increment is estimated: the pulled block moves by 4 mm in all.
+TEST(Checkpoints, TheDisplacementOverTheLastIncrementIsKept) {
+    int seen = 0;
+    for (const std::string& bytes : runKept(tearing()).kept) {
+        const LoadResponse response = checkpointOf(bytes).value().within.response;
+        if (response.moved.empty()) continue;
+        ++seen;
+        const auto moved = [&](std::size_t block) {
+            return std::hypot(response.moved[6 * block], response.moved[6 * block + 1]);
+        };
+        EXPECT_NEAR(std::max(moved(0), moved(1)), response.length * 4e-3, 1e-9 * 4e-3);
+    }
+    EXPECT_GE(seen, 3);
 }
 
 /// Stops the run from its own thread after so many frames.
