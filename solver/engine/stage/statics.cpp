@@ -108,10 +108,12 @@ private:
     }
 
     /// Searches for equilibrium where no shorter increment can be tried. Falling blocks are followed unless
-    /// a bolt is beyond a limit, which is released first.
+    /// a bolt is beyond a limit, which is released first. An estimated displacement could loosen a block that friction
+    /// holds.
     StepEnding searchToTheEnd(State& state, double to, long most = std::numeric_limits<long>::max()) {
-        if (boltLimits(state).empty()) return equilibrium(state, to, most, true);
-        return followed(equilibrium(state, to, most, false), state, to);
+        const LoadPoint before = reached(), at = between(a_, b_, to);
+        if (boltLimits(state).empty()) return equilibrium(state, {before, at}, most, true);
+        return followed(equilibrium(state, {before, at}, most, false), state, to);
     }
 
     /// Searches for equilibrium in parts of limited length until the allowed number of pseudo-steps is used up. If a
