@@ -97,6 +97,7 @@ void SweptLinks::addRow(std::size_t link, int pair) {
                                  : flatLaw(problem_, problem_.limitPairs[pair]);
     row.stiffness = law.stiffness;
     row.offset = law.offset;
+    row.gain = row.stiffness / (1.0 + row.stiffness * row.compliance);
     rows_.push_back(row);
     bounds_.push_back(law.bounds);
 }
@@ -250,9 +251,8 @@ SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorX
         const Eigen::Map<const Vector6> ga(row.gradient.data()), gb(row.gradient.data() + 6);
         Eigen::Map<Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
         const double free = row.start + ga.dot(a) + gb.dot(b) + row.compliance * before;
-        const double straight = row.stiffness * (free - row.offset) / (1.0 + row.stiffness * row.compliance);
         const double force = bounds_[n].bent ? bentForce(row, free, before)
-                                             : std::clamp(straight, within.low, within.high);
+                                             : clipped(row.gain * (free - row.offset), within.low, within.high);
         const double more = force - before;
         sum.changed += more * more;
         sum.forces += force * force;

@@ -79,6 +79,7 @@ private:
         double share = 1.0;
         double compliance = 0.0;  // strain per unit force
         double stiffness = 0.0, offset = 0.0;  // of its law
+        double gain = 0.0;  // force per strain that the link would have without its own force [N/m]
         int firstA = 0, firstB = 0;  // first unknowns of the two bodies
         int pair = -1;  // row of limitPairs; −1: none
         std::size_t link = 0;
