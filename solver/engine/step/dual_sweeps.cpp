@@ -18,7 +18,6 @@ constexpr int mostAtFirst = 36, mostAgain = 72;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
 constexpr int mixedSweeps = 6;  // number of sweeps combined by Anderson mixing
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
-constexpr int limitCorrections = 2;  // corrections of the sliding forces by the normal forces of the previous solution
 constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
 
 }  // namespace
@@ -95,18 +94,20 @@ bool DualSweeps::straighten(StepMatrix& matrix, StepWork& work) {
     return factored(0.0) || factored(leastSweepHold);
 }
 
-/// Evaluates the straight lines at `strains` and limits the forces to the range of their laws; sliding links are at
-/// their limits.
-void DualSweeps::takeForces(const std::vector<double>& strains) {
+/// Evaluates the straight lines at `d` and limits the forces to the range of their laws; sliding links are at their
+/// limits.
+void DualSweeps::takeForces(const Eigen::VectorXd& d, StepWork& work) {
+    std::vector<double> strains;
+    rows_.strains(d, strains);
+    ++work.products;
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         const std::size_t i = swept_.linkOf(n);
         forces_[n] = laws_[i].at(strains[i]);
     }
     swept_.clip(forces_);
-    for (std::size_t n = 0; n < swept_.count(); ++n) {
-        Straight& law = laws_[swept_.linkOf(n)];
-        if (law.sliding != 0.0) forces_[n] = law.force = law.sliding * swept_.limit(n, forces_);
-    }
+    for (std::size_t n = 0; n < swept_.count(); ++n)
+        if (const double sliding = laws_[swept_.linkOf(n)].sliding; sliding != 0.0)
+            forces_[n] = sliding * swept_.limit(n, forces_);
 }
 
 std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& matrix, StepWork& work) {
@@ -114,18 +115,13 @@ std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& 
     holdTheRest(from);
     sweepUntilSettled(work);
     if (!straighten(matrix, work)) return std::nullopt;
-    Eigen::VectorXd d = from.d;
-    std::vector<double> strains = from.strains;
-    for (int correction = 0; correction <= limitCorrections; ++correction) {
-        Eigen::VectorXd net = padded(problem_.load) - bodyProduct(problem_, d);
-        for (std::size_t i = 0; i < rows_.count(); ++i)
-            if (const double force = laws_[i].at(strains[i]); force != 0.0)
-                rows_.add(i, -problem_.links[i].law.share * force, net.data());
-        d += matrix.solve(net, work);
-        rows_.strains(d, strains);
-        work.products += 2;
-        takeForces(strains);
-    }
+    Eigen::VectorXd net = padded(problem_.load) - bodyProduct(problem_, from.d);
+    for (std::size_t i = 0; i < rows_.count(); ++i)
+        if (const double force = laws_[i].at(from.strains[i]); force != 0.0)
+            rows_.add(i, -problem_.links[i].law.share * force, net.data());
+    const Eigen::VectorXd d = from.d + matrix.solve(net, work);
+    ++work.products;
+    takeForces(d, work);
     return d;
 }
 

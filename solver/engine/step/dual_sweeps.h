@@ -57,7 +57,7 @@ private:
     void holdTheRest(const Trial& from);
     Straight straight(std::size_t row) const;
     bool straighten(StepMatrix& matrix, StepWork& work);
-    void takeForces(const std::vector<double>& strains);
+    void takeForces(const Eigen::VectorXd& d, StepWork& work);
 
     StepProblem& problem_;
     const LinkRows& rows_;

@@ -27,7 +27,7 @@ constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 // maximum number of times that sweeps are tried in a step, and that they fail
 constexpr int mostSweeps = 8, mostUseless = 2;
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
-constexpr double farFromBalance = 1e-2;  // residual above which the line search of Newton's method soon stalls
+constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
 // Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
 // bodies that may take part at the start of a step, and after a stall; number of times in succession; and factor of the
