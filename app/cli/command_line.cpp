@@ -6,6 +6,7 @@
 
 #include "app/cli/figure_words.h"
 #include "app/cli/output.h"
+#include "solver/engine/step/blas_kernel.h"
 #include "solver/files/program_version.h"
 #include "solver/results/tables.h"
 #include "solver/scene/enum_names.h"
@@ -490,7 +491,8 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     Options options;
     CLI::App app("Keyblock: discontinuous deformation analysis of blocky rock and of rock bolts up to their failure",
                  "keyblock");
-    app.set_version_flag("--version", "keyblock " + std::string(programVersion()), "Print the version");
+    const std::string version = "keyblock " + std::string(programVersion()) + "\nOpenBLAS kernel " + blasKernel();
+    app.set_version_flag("--version", version, "Print the version and the kernel of the dense algebra");
     app.set_help_flag("--help,-h", "Print this help");
     app.require_subcommand(1);
     app.footer(
@@ -516,7 +518,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     } catch (const CLI::CallForHelp&) {
         return Answer{app.help()};
     } catch (const CLI::CallForVersion&) {
-        return Answer{"keyblock " + std::string(programVersion()) + "\n"};
+        return Answer{version + "\n"};
     } catch (const CLI::ParseError& error) {
         fail(app, error);
     }

@@ -3,9 +3,9 @@
 //
 // Reads the command line, performs the command and returns its exit code. Exceptions
 // of a command are reported here, on one line, with the exit code for their kind.
-#include "app/cli/blas_choice.h"
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
+#include "app/start/blas_choice.h"
 #include "solver/files/read_error.h"
 #include "solver/files/run_store/run_store_writer.h"
 
@@ -73,7 +73,7 @@ ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
     using namespace keyblock::cli;
-    avoidBlasThreads();
+    keyblock::chooseBlas();
     takeFailedWritesAsErrors();
     const ExitCode code = obeyOrTellWhy(argc, argv);
     if (const int failure = outputFailure(); failure != 0 && code == Done)

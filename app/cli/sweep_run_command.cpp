@@ -3,7 +3,7 @@
 //
 // The command `sweep run`: all that a job scheduler calls. It prints a line for each
 // case that it finishes.
-#include "app/cli/blas_choice.h"
+#include "app/start/blas_choice.h"
 #include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/stop_signals.h"

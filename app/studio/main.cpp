@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The program `keyblock-studio [SCENE.json | RUN.kbrun]`.
+#include "app/start/blas_choice.h"
 #include "solver/files/program_version.h"
 #include "ui/look/theme.h"
 #include "ui/window/main_window.h"
@@ -48,6 +49,7 @@ void endSoon(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keyblock::chooseBlas();
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     keyblock::leaveProcessorsToRuns();

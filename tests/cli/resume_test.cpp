@@ -87,6 +87,20 @@ TEST_F(Resume, AnotherBuildOrADamagedCheckpointIsRefused) {
     expectRefused({}, 3, "damaged");
 }
 
+#if defined(__x86_64__)
+/// The last digits may differ with the kernel of OpenBLAS. The message names the variable that selects the right one.
+TEST_F(Resume, AnotherKernelOfOpenBlasIsRefused) {
+    putStoppedRun();
+    const std::string before = content("rest.kbrun");
+    const std::string kernel = lines(keyblock({"--version"}).out).at(1).substr(std::string("OpenBLAS kernel ").size());
+    const std::string other = kernel == "Prescott" ? "Nehalem" : "Prescott";
+    const Ended refused = keyblock({"run", "rest.json", "--resume"}, {{"OPENBLAS_CORETYPE", other}});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("set OPENBLAS_CORETYPE=" + kernel + " and resume"), std::string::npos) << refused.err;
+    EXPECT_EQ(content("rest.kbrun"), before);
+}
+#endif
+
 /// With the right hash, as someone would make it who wants the program to take it.
 TEST_F(Resume, ACheckpointThatDoesNotFitItsSceneIsRefused) {
     putStoppedRun();

@@ -35,7 +35,24 @@ TEST_F(Usage, EveryVerbHasHelp) {
     }
 }
 
-TEST_F(Usage, VersionIsPrinted) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
+TEST_F(Usage, VersionIsPrinted) {
+    const std::vector<std::string> printed = lines(keyblock({"--version"}).out);
+    ASSERT_EQ(printed.size(), 2u);
+    EXPECT_TRUE(printed[0].starts_with("keyblock "));
+    EXPECT_TRUE(printed[1].starts_with("OpenBLAS kernel "));
+}
+
+#if defined(__x86_64__)
+TEST_F(Usage, TheKernelOfOpenBlasSuitsTheProcessorUnlessTheUserChoosesOne) {
+    const auto kernel = [&](const std::map<std::string, std::string>& environment) {
+        return lines(keyblock({"--version"}, environment).out).at(1).substr(std::string("OpenBLAS kernel ").size());
+    };
+    EXPECT_EQ(kernel({{"OPENBLAS_CORETYPE", "Prescott"}}), "Prescott");
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && !std::getenv("OPENBLAS_CORETYPE")) {
+        EXPECT_NE(kernel({}), "Prescott");
+    }
+}
+#endif
 
 TEST_F(Usage, OnlyCommandsThatExistAreTaken) {
     for (const std::string verb : {"solve"}) expectUsageError({verb}, "there is no command '" + verb + "'");

@@ -100,7 +100,7 @@ const std::vector<Room> rooms{
       "solver/files/text_file", "solver/scene", "geometry"}},
     {"solver/files/run_store",
      {"solver/files/scene", "solver/files/atomic_file", "solver/files/program_version", "solver/files/read_error",
-      "solver/files/sha256", "solver/run", "solver/results", "solver/scene"}},
+      "solver/files/sha256", "solver/run", "solver/engine/step/blas_kernel", "solver/results", "solver/scene"}},
     {"solver/files/vtk",
      {"solver/files/run_store", "solver/files/atomic_file", "solver/files/part_folder", "solver/run", "solver/results",
       "solver/scene", "geometry"}},
@@ -154,10 +154,11 @@ const std::vector<Room> rooms{
       "ui/tools",   "ui/canvas",    "ui/document",  "ui/look",    "ui/view",        "ui/edit",      "ui/figure",
       "ui/picture", "solver/study", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"app/memory", {}},
-    {"app/studio", {"ui/window", "ui/document", "ui/look", "solver/files"}},
+    {"app/start", {"solver/files/read_error", "solver/engine/step/blas_kernel"}},
+    {"app/studio", {"app/start", "ui/window", "ui/document", "ui/look", "solver/files"}},
     {"app/cli",
-     {"ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify", "solver/files",
-      "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+     {"app/start", "ui/report", "ui/figure", "ui/picture", "solver/study", "solver/trade", "solver/verify",
+      "solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
 };
 
 bool liesIn(const std::string& path, const std::string& folder) {

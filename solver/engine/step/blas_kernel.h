@@ -5,6 +5,7 @@
 // in the last digits. Runs on several machines therefore agree on one of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,9 @@ std::string blasKernel();
 
 /// Whether this processor has the instructions of a kernel. OpenBLAS does not check this.
 bool canRunBlasKernel(std::string_view kernel);
+
+/// A kernel that suits this processor, if the process uses one without AVX2 although the processor has it; otherwise
+/// none.
+std::optional<std::string> widerBlasKernel();
 
 }  // namespace keyblock

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/run_store/resumption.h"
 
+#include "solver/engine/step/blas_kernel.h"
 #include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/files/read_error.h"
 #include "solver/files/run_store/run_store.h"
@@ -28,6 +29,16 @@ bool isEmptyOrMissing(const fs::path& path) {
     return !fs::exists(status) || (fs::is_regular_file(status) && fs::file_size(path, error) == 0);
 }
 
+/// Results of another kernel may differ in the last digits.
+void requireKernel(const fs::path& path, const std::string& kernel) {
+    if (kernel == blasKernel()) return;
+    const std::string which = "it was begun with the OpenBLAS kernel " + kernel + ", and this process uses " +
+                              blasKernel();
+    if (!canRunBlasKernel(kernel)) cannotResume(path, which + "; this processor cannot run " + kernel);
+    throw CannotRead("cannot resume " + path.string() + ": " + which + "; set " + blasKernelVariable + "=" + kernel +
+                     " and resume again");
+}
+
 /// Whether the store has the results that had been written at the checkpoint.
 bool isWithin(const Written& written, const RunStore& store) {
     const auto within = [](long count, std::size_t stored) { return count >= 0 && count <= static_cast<long>(stored); };
@@ -51,6 +62,7 @@ Resumption resumptionOf(const fs::path& path, const Scene& scene) {
     if (stored->build != buildName())
         cannotResume(path, "another build of the program wrote it (" + stored->build + "; this build is " + buildName() +
                                "), whose results may differ");
+    requireKernel(path, stored->kernel);
     if (stored->hash != sha256(stored->state))
         cannotResume(path, "its checkpoint is damaged");
     resumption.checkpoint = checkpointOf(stored->state);

@@ -7,6 +7,7 @@
 #include "solver/files/run_store/run_store.h"
 
 #include "solver/files/read_error.h"
+#include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/files/run_store/run_schema.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/files/run_store/store_reading.h"
@@ -214,7 +215,9 @@ std::optional<StoredCheckpoint> RunStore::checkpoint() const {
         sqlite::Statement statement(database_, "SELECT build, hash, state FROM checkpoint");
         if (!statement.next())
             return std::nullopt;
-        return StoredCheckpoint{statement.text(0), statement.text(1), statement.bytes(2)};
+        const std::string build = statement.text(0);
+        const std::string kernel = build == buildName() ? aboutValue(database_, "blas_kernel") : "";
+        return StoredCheckpoint{build, kernel, statement.text(1), statement.bytes(2)};
     });
 }
 

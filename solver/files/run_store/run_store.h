@@ -20,6 +20,7 @@ namespace keyblock {
 /// A checkpoint as stored, before decoding.
 struct StoredCheckpoint {
     std::string build;  // name of the build that wrote it
+    std::string kernel;  // of OpenBLAS, with which the run was begun; empty: of another build
     std::string hash;  // SHA-256 of the state
     std::string state;
 };

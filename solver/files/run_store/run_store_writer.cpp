@@ -6,6 +6,7 @@
 // then opened for the run, so that a store without its scene is never visible.
 #include "solver/files/run_store/run_store_writer.h"
 
+#include "solver/engine/step/blas_kernel.h"
 #include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/files/run_store/frame_payload.h"
 #include "solver/files/program_version.h"
@@ -133,6 +134,7 @@ void writeAbout(const sqlite::Database& database, const Scene& scene, const Hist
     const auto put = [&](std::string_view key, std::string_view value) { insert.bind(key).bind(value).run(); };
     put("format", "keyblock-run");
     put("program_version", programVersion());
+    put("blas_kernel", blasKernel());
     put("layout", run_schema::layout);
     put("scene", text);
     put("scene_hash", sha256(text));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/run_store/run_summary.h"
 
+#include "solver/engine/step/blas_kernel.h"
 #include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/files/run_store/run_schema.h"
 #include "solver/files/run_store/store_reading.h"
@@ -37,7 +38,8 @@ RunSummary runSummary(const std::filesystem::path& store) {
             summary.message = stages.text(6);
         }
         sqlite::Statement checkpoint(database, "SELECT build FROM checkpoint");
-        summary.resumable = checkpoint.next() && checkpoint.text(0) == buildName();
+        summary.resumable = checkpoint.next() && checkpoint.text(0) == buildName() &&
+                            aboutValue(database, "blas_kernel") == blasKernel();
         return summary;
     } catch (const sqlite::Error&) {
         cannotRead(store, damaged);

@@ -5,6 +5,7 @@
 // displacements and the order in which bolts fail, on scenes whose joints slide and
 // whose bolts fail. Prints the work of both, of one increment and of ten equal ones.
 // Exit code 1: something differs by more than 2 %.
+#include "app/start/blas_choice.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
@@ -147,6 +148,7 @@ bool compare(const Compared& compared) {
 
 /// \param argv names of scenes, as the table prints them; none: all.
 int main(int argc, char** argv) {
+    keyblock::chooseBlas();
     std::printf("%-28s %9s %9s %9s %9s %9s %9s %6s %8s %8s %8s %5s %s\n", "", "work", "of 1", "of 10", "of 200",
                 "work/10", "1/10", "steps", "moves %", "joints %", "bolts %", "fail", "order");
     bool passed = true;

@@ -5,6 +5,7 @@
 // last stage, next to the time F of one factorization and S of one back-substitution
 // of the same scene, so that machines and loads can be compared, and the share of each
 // phase of a step, sampled every millisecond. Usage: measure SCENE.
+#include "app/start/blas_choice.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
@@ -231,6 +232,7 @@ nlohmann::json measured(const Scene& scene) {
 
 int main(int argc, char** argv) {
     using namespace keyblock;
+    chooseBlas();
     if (argc != 2) return std::fprintf(stderr, "usage: %s SCENE.json\n", argv[0]), 2;
     const SceneReading reading = readSceneFile(argv[1]);
     if (!reading.scene) return std::fprintf(stderr, "%s: the scene has errors\n", argv[1]), 2;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/blas_choice.h"
+#include "app/start/blas_choice.h"
 
 #include "solver/engine/step/blas_kernel.h"
 #include "solver/files/read_error.h"
@@ -11,10 +11,10 @@
 
 #include <fstream>
 #include <iterator>
-#include <string_view>
+#include <optional>
 #include <vector>
 
-namespace keyblock::cli {
+namespace keyblock {
 
 namespace {
 
@@ -31,9 +31,8 @@ std::vector<std::string> ownArguments() {
     return words;
 }
 
-/// Starts the program again with a variable of the environment. Returns only if that cannot be done.
-void startAgainWith(const char* variable, const char* value) {
-    ::setenv(variable, value, 1);
+/// Starts the program again with the present environment. Returns only if that cannot be done.
+void startAgain() {
     std::vector<std::string> words = ownArguments();
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -41,23 +40,34 @@ void startAgainWith(const char* variable, const char* value) {
     ::execv("/proc/self/exe", pointers.data());
 }
 
+/// \return true if the variable had another value.
+bool set(const char* variable, const std::string& value) {
+    const char* before = ::getenv(variable);
+    if (before && value == before) return false;
+    ::setenv(variable, value.c_str(), 1);
+    return true;
+}
+
+bool isAddressSpaceLimited() {
+    rlimit space{};
+    return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+}
+
 }  // namespace
 
 void useBlasKernel(const std::string& kernel) {
     if (blasKernel() == kernel) return;
-    const char* chosen = ::getenv(blasKernelVariable);
-    if (canRunBlasKernel(kernel) && !(chosen && kernel == chosen)) startAgainWith(blasKernelVariable, kernel.c_str());
+    if (canRunBlasKernel(kernel) && set(blasKernelVariable, kernel)) startAgain();
     throw CannotRead("the sweep was planned with the OpenBLAS kernel " + kernel +
                      ", which this machine cannot use; plan it with a kernel that all machines have, e.g. "
                      "OPENBLAS_CORETYPE=Haswell keyblock sweep plan");
 }
 
-void avoidBlasThreads() {
-    constexpr const char* threads = "OPENBLAS_NUM_THREADS";
-    rlimit space{};
-    if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return;
-    const char* chosen = ::getenv(threads);
-    if (!chosen || std::string_view(chosen) != "1") startAgainWith(threads, "1");
+void chooseBlas() {
+    const std::optional<std::string> kernel = widerBlasKernel();
+    const bool another = kernel && !::getenv(blasKernelVariable) && set(blasKernelVariable, *kernel);
+    const bool single = isAddressSpaceLimited() && set("OPENBLAS_NUM_THREADS", "1");
+    if (another || single) startAgain();
 }
 
-}  // namespace keyblock::cli
+}  // namespace keyblock

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenBLAS reads the choice of its kernel and of its threads from the environment when a
+// program starts, so the program starts itself again where it has to use another one.
+#pragma once
+
+#include <string>
+
+namespace keyblock {
+
+/// Continues with this kernel: returns if it is in use, otherwise starts the program again with the same arguments.
+/// \throws CannotRead if this processor cannot run the kernel
+void useBlasKernel(const std::string& kernel);
+
+/// Continues with a kernel that suits the processor, and without threads of OpenBLAS if the address space is limited
+/// (`ulimit -v`): starts the program again, once, unless this is so. To be called first in `main`.
+///
+/// OpenBLAS knows processors by their model. On one that it does not know it takes a kernel without AVX, with which rock
+/// in motion takes up to a third longer. A kernel that the user has chosen (`OPENBLAS_CORETYPE`) is kept.
+///
+/// A thread of OpenBLAS asks for a buffer of 128 MB, again and again where it does not get it, and may take it from the
+/// main thread, which then waits forever. The program itself uses OpenBLAS on one thread.
+void chooseBlas();
+
+}  // namespace keyblock
