@@ -13,6 +13,7 @@ namespace {
 
 constexpr double slackShare = 1e-5;  // of the smaller block's size
 constexpr double deepest = 0.25;  // of the block's size: a deeper corner is not in contact with this edge
+constexpr double pressed = 1e-3;  // of the smaller block's size: a corner no deeper than this may press on the edge
 constexpr double sliver = -0.9;  // largest cosine between the outward normals of a sliver's two long sides
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -66,6 +67,23 @@ bool isBehindSliver(const std::vector<Edge>& sides, const Edge& edge, const Poin
     return false;
 }
 
+/// The previous contact of a corner with the edge that starts at a turn of block `b`; null if there was none.
+const Contact* previousOf(const CandidateSearch& search, int a, int corner, int b, int turn) {
+    Contact key;
+    key.blockA = a, key.corner = corner, key.blockB = b;
+    key.edge = search.model.blocks[b].turns[turn];
+    return sameContact(search.before, key);
+}
+
+/// True if the corner was in contact with the edge and may still be. At the tip of a wedge, a corner pressed into the
+/// edge is deeper than the tip is thick, but it has not passed through.
+bool isPressed(const CandidateSearch& search, int a, int corner, int b, int turn, double gap) {
+    const Contact* old = previousOf(search, a, corner, b, turn);
+    if (!old) return false;
+    const double most = pressed * std::min(search.model.blocks[a].size, search.model.blocks[b].size);
+    return old->normalForce > 0.0 || std::min(gap, gap - old->gapOffset) >= -most;
+}
+
 /// The edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the corner
 /// may be in front of other edges.
 std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
@@ -91,8 +109,10 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
         // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
         // above the slab.
-        if (gap < -over && locate(other, p, over) == Side::Outside) continue;
-        if (gap < -over && isBehindSliver(outline.runs, edge, p, over)) continue;
+        const auto isBehind = [&] {
+            return locate(other, p, over) == Side::Outside || isBehindSliver(outline.runs, edge, p, over);
+        };
+        if (gap < -over && isBehind() && !isPressed(search, a, corner, b, turn, gap)) continue;
         byPath = byPath || along < -over || along > edge.length + over;
         if (faces) faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
     }
@@ -159,12 +179,7 @@ private:
     bool isAhead(const Faced& f) const { return f.gap > 0.0 && f.gap <= over_; }
 
     /// The previous contact of the corner with this edge; null if there was none.
-    const Contact* previous(const Faced& f) const {
-        Contact key;
-        key.blockA = a_, key.corner = corner_, key.blockB = b_;
-        key.edge = search_.model.blocks[b_].turns[f.turn];
-        return sameContact(search_.before, key);
-    }
+    const Contact* previous(const Faced& f) const { return previousOf(search_, a_, corner_, b_, f.turn); }
 
     bool carries(const Faced& f) const {
         if (f.gap < -over_) return false;

@@ -256,6 +256,23 @@ TEST(Contacts, CornersInAStraightLineAreNone) {
     for (const Contact& c : found.contacts) EXPECT_NEAR(c.length, 0.5, 1e-12);
 }
 
+/// A corner presses on a wedge close to its tip, where the wedge is thinner than the corner is deep.
+TEST(Contacts, ACornerPressedIntoTheTipOfAWedgeKeepsItsContact) {
+    Scene scene = boxes({{{0, -1}, {1 - 5e-5, 0}}, {{0, 0}, {1, 1}}});
+    scene.blocks[1].points = {{0, 0}, {1, 0}, {0, 0.1}};
+    Found found(scene);
+    const auto atTip = [](const std::vector<Contact>& contacts) {
+        return std::count_if(contacts.begin(), contacts.end(),
+                             [](const Contact& c) { return c.blockA == 0 && c.position.x() > 0.9; });
+    };
+    ASSERT_EQ(atTip(found.contacts), 1);
+    found.shift(1, {0.0, -1e-5});
+    EXPECT_EQ(atTip(findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false)), 1);
+    EXPECT_EQ(atTip(findContacts(found.model, found.state.blocks, {}, 1e-3, false)), 0);  // it could be above the wedge
+    found.shift(1, {0.0, -0.01});
+    EXPECT_EQ(atTip(findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false)), 0);  // it has passed
+}
+
 /// A box slides over the end of its base: where its corner stood, the base's corner takes over, force for force.
 TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
     Found found(boxes({{{0, 0}, {2, 1}}, {{0.9, 1}, {1.9, 2}}}));
