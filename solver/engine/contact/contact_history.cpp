@@ -118,11 +118,17 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
         const bool samePair = std::minmax(gone.blockA, gone.blockB) == std::minmax(c.blockA, c.blockB);
         if (givesItself(model, gone) && !samePair) continue;
         const double away = (blocks[c.blockA].corners[c.corner] - place).norm();
-        if (away > reach || gapOf(blocks, c) > touching * model.tolerance) continue;
+        if (away > reach || gapOf(blocks, c) > std::max(0.0, gone.gapOffset) + touching * model.tolerance) continue;
         const auto rank = std::pair(c.blockA != gone.blockA || c.corner != gone.corner, away);
         if (rank < best) best = rank, heir = &c;
     }
     return heir;
+}
+
+/// Moves the gap at which an open contact begins to carry to its present gap.
+void close(const Model& model, const std::vector<BlockMotion>& blocks, Contact& c) {
+    const double open = gapOf(blocks, c) - zeroPoints(c, contactSprings(model, c)).first;
+    if (open > 0.0) c.gapOffset += open;
 }
 
 /// Transfers the forces of `gone` to `heir`: the forces `now`, at the present positions of the blocks, are added to
@@ -138,6 +144,7 @@ void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const C
         const Point force = sign * (forces.normal * from.outward - forces.shear * from.along);
         return {givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward)), -force.dot(to.along)};
     };
+    if (!givesItself(model, heir)) close(model, blocks, heir);
     addForces(model, heir, turnedOver(now));
     const ContactForces more = turnedOver(accepted(gone));
     heir.normalForce += more.normal;

@@ -274,16 +274,18 @@ TEST(Contacts, ACornerPressedIntoTheTipOfAWedgeKeepsItsContact) {
 }
 
 /// A box slides over the end of its base: where its corner stood, the base's corner takes over, force for force.
-TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
+/// \param apart the distance of the faces, which a contact bridges that has carried its force over from another one.
+void expectRolesToChange(double apart) {
     Found found(boxes({{{0, 0}, {2, 1}}, {{0.9, 1}, {1.9, 2}}}));
     for (Contact& c : found.contacts) {
         if (c.corner != 1) continue;
         addForces(found.model, c, {100.0, 20.0});
+        c.gapOffset += apart;
         c.normalForce = 100.0;
         c.shearForce = 20.0;
         c.limit = 50.0;
     }
-    found.shift(1, {0.1001, 0.0});
+    found.shift(1, {0.1001, apart});
     double lost = 0.0;
     State state = found.state;
     state.contacts = findContacts(found.model, state.blocks, found.contacts, {1e-3, false, false, nullptr, &lost});
@@ -300,6 +302,11 @@ TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
         onBox -= respond(link.law, link.strain).force * (link.a == 1 ? link.ga : link.gb).head<2>();
     EXPECT_NEAR(onBox.x(), 20.0, 1e-3);
     EXPECT_NEAR(onBox.y(), 100.0, 1e-3);
+}
+
+TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
+    expectRolesToChange(0.0);
+    expectRolesToChange(5e-6);
 }
 
 }  // namespace
