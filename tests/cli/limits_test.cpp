@@ -47,7 +47,7 @@ TEST_F(EarlyEnds, ALimitOfTimeIsExitCodeFiveAndChangesNoByte) {
 TEST_F(EarlyEnds, ANumericalFailureIsExitCodeFourAndKeepsItsResults) {
     putEndlessScene();
     const Ended ended = keyblock({"run", "rest.json", "--set", "analysis.max_passes=1", "analysis.tolerance=1e-15",
-                                  "stages[0].initial_velocities=[{\"block_at\": [1.5, 1.5], \"velocity\": [1, -1]}]"});
+                                  "stages[0].initial_velocities=[{\"block_at\": [1.5, 1.5], \"velocity\": [0, -10]}]"});
     EXPECT_EQ(ended.code, 4) << ended.err << ended.out;
     EXPECT_NE(ended.err.find("stage 'rest'"), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find("results so far are in rest.kbrun"), std::string::npos) << ended.err;
