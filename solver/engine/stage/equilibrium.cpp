@@ -32,6 +32,7 @@ constexpr double drivenShare = 0.05;  // of the smallest block's size: travel of
 constexpr double roomToDrive = 2.0;  // over that travel: longest move in one driven pseudo-step
 constexpr double softestInertia = 1e-11;  // regularising stiffness over the stiffest spring
 constexpr double firstStep = 0.3;  // of the time in which a freely falling block moves by the longest move
+constexpr double estimatedStep = 4.0;  // times that, where an equilibrium is expected close to an estimated displacement
 constexpr double bookedShare = 0.02;  // of a block's size: a longer path is accepted in pieces
 constexpr double longestPiece = 0.1;  // the same if the forces are larger than those of falling or sliding blocks
 constexpr double quietForce = 10.0;  // times the weight of the heaviest block that is not at rest: limit of such forces
@@ -417,7 +418,8 @@ private:
     /// may resist it.
     double firstPseudoStep() const {
         const double gravity = driven_ ? 0.0 : weightPerMass(model_, at_);
-        return gravity > 0.0 ? std::min(longest_, firstStep * std::sqrt(2.0 * moveLimit_ / gravity)) : longest_;
+        const double share = isEstimated() ? estimatedStep * firstStep : firstStep;
+        return gravity > 0.0 ? std::min(longest_, share * std::sqrt(2.0 * moveLimit_ / gravity)) : longest_;
     }
 
     Moves movesOf(const StepProblem& problem, const Eigen::VectorXd& d) const {
