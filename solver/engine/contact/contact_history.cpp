@@ -117,8 +117,9 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
         if (sharedBlock(blocks, gone, c) < 0) continue;
         const bool samePair = std::minmax(gone.blockA, gone.blockB) == std::minmax(c.blockA, c.blockB);
         if (givesItself(model, gone) && !samePair) continue;
+        const double open = samePair ? std::max(0.0, gone.gapOffset) : 0.0;  // may be as open as the old contact
         const double away = (blocks[c.blockA].corners[c.corner] - place).norm();
-        if (away > reach || gapOf(blocks, c) > std::max(0.0, gone.gapOffset) + touching * model.tolerance) continue;
+        if (away > reach || gapOf(blocks, c) > open + touching * model.tolerance) continue;
         const auto rank = std::pair(c.blockA != gone.blockA || c.corner != gone.corner, away);
         if (rank < best) best = rank, heir = &c;
     }
