@@ -108,9 +108,9 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         if (!faces && (along < -room || along > edge.length + room)) continue;
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
         // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
-        // above the slab.
+        // above the slab. On the boundary, a corner is at another edge.
         const auto isBehind = [&] {
-            return locate(other, p, over) == Side::Outside || isBehindSliver(outline.runs, edge, p, over);
+            return locate(other, p, over) != Side::Inside || isBehindSliver(outline.runs, edge, p, over);
         };
         if (gap < -over && isBehind() && !isPressed(search, a, corner, b, turn, gap)) continue;
         byPath = byPath || along < -over || along > edge.length + over;

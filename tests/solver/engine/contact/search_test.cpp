@@ -273,6 +273,16 @@ TEST(Contacts, ACornerPressedIntoTheTipOfAWedgeKeepsItsContact) {
     EXPECT_EQ(atTip(findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false)), 0);  // it has passed
 }
 
+/// A corner on the boundary of a block, at a face that it does not stand on, is not deep behind another face.
+TEST(Contacts, ACornerOnTheBoundaryIsNotBehindAnotherFace) {
+    Scene scene = boxes({{{0, 0}, {1, 1}}, {{1, 0}, {2, 1}}});
+    scene.blocks[0].points = {{0, 1}, {1, -0.7}, {1.04, 0.5}, {0.04, 1}};
+    scene.blocks[1].points = {{0.042, 0.999}, {-0.258, 1.199}, {-0.258, 0.999}};
+    const Found found(scene);
+    const auto atCorner = [](const Contact& c) { return c.blockA == 1 && c.corner == 0; };
+    EXPECT_TRUE(std::none_of(found.contacts.begin(), found.contacts.end(), atCorner));
+}
+
 /// A box slides over the end of its base: where its corner stood, the base's corner takes over, force for force.
 /// \param apart the distance of the faces, which a contact bridges that has carried its force over from another one.
 void expectRolesToChange(double apart) {
