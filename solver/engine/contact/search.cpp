@@ -140,33 +140,40 @@ std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorner
     return contacts;
 }
 
-/// Whether a contact closes on the path.
-bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance, const Contact& c) {
-    const Point& corner = blocks[c.blockA].corners[c.corner];
-    const auto moved = [&](int block) {
-        return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
-    };
-    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
-    return edge.outward.dot(from) < c.gapOffset - tolerance;
-}
+/// Compares the contacts through which corners enter blocks on a path.
+struct Entrances {
+    const Model& model;
+    const std::vector<BlockMotion>& blocks;
+    const std::vector<Drift>& drift;
+    double deep;  // of the smaller block's size: corners that enter no deeper are disregarded
 
-/// Whether every contact of a sorted list that closes on the path is also in the other list.
-bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
-                  const std::vector<Contact>& contacts, const std::vector<Contact>& others) {
-    auto next = others.begin();
-    return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-        while (next != others.end() && comesBefore(*next, c)) ++next;
-        const bool known = next != others.end() && !comesBefore(c, *next);
-        return !known && !c.bonded && closes(blocks, drift, tolerance, c);
-    });
-}
+    /// Whether a contact closes on the path.
+    bool closes(const Contact& c) const {
+        const Point& corner = blocks[c.blockA].corners[c.corner];
+        const auto moved = [&](int block) {
+            return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
+        };
+        const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+        const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
+        const double size = std::min(model.blocks[c.blockA].size, model.blocks[c.blockB].size);
+        return edge.outward.dot(from) < c.gapOffset - std::max(model.tolerance, deep * size);
+    }
 
-/// Whether both lists have the same contacts among those that close on the path.
-bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
-                   const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
-    return hasEntrances(blocks, drift, tolerance, now, contacts) && hasEntrances(blocks, drift, tolerance, contacts, now);
-}
+    /// Whether every contact of a sorted list that closes on the path is also in the other list.
+    bool allIn(const std::vector<Contact>& contacts, const std::vector<Contact>& others) const {
+        auto next = others.begin();
+        return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            while (next != others.end() && comesBefore(*next, c)) ++next;
+            const bool known = next != others.end() && !comesBefore(c, *next);
+            return !known && !c.bonded && closes(c);
+        });
+    }
+
+    /// Whether both lists have the same contacts among those that close on the path.
+    bool same(const std::vector<Contact>& contacts, const std::vector<Contact>& now) const {
+        return allIn(now, contacts) && allIn(contacts, now);
+    }
+};
 
 }  // namespace
 
@@ -205,7 +212,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path) {
+                   const FoundCorners& found, const Eigen::VectorXd& path, double deep) {
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
     const std::vector<char> far = movesFar(model, blocks, drift, found.margin);
@@ -228,7 +235,7 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     std::vector<Contact> now = joined(perPair);
     handOver(model, blocks, contacts, false, now);
     dropHeldCorners(model, now);
-    return sameEntrances(blocks, drift, model.tolerance, contacts, now);
+    return Entrances{model, blocks, drift, deep}.same(contacts, now);
 }
 
 }  // namespace keyblock

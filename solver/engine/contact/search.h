@@ -57,9 +57,11 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 
 /// Checks `contacts` against a displacement `path` that was not known when they were found: false if a corner would
 /// enter a block through an edge other than the one in `contacts`.
+/// \param deep a corner that would be no deeper than this share of the smaller block's size does not count; with 0, the
+/// tolerance of the model applies.
 /// \param found the corners found by the search for `contacts`.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
-                   const FoundCorners& found, const Eigen::VectorXd& path);
+                   const FoundCorners& found, const Eigen::VectorXd& path, double deep = 0.0);
 
 }  // namespace keyblock

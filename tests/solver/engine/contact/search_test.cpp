@@ -205,6 +205,8 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
         EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, corners, *path));
         const Eigen::VectorXd& other = path == &over ? beside : over;
         EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, corners, other));
+        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, corners, other, 0.01));
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, corners, other, 0.5));
     }
 }
 
