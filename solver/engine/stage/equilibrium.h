@@ -22,7 +22,7 @@ struct StaticSettings {
     double smallest = 0.0;  // smaller blocks do not decide whether there is an equilibrium [m²]
     long maxSteps = automaticIterations;  // maximum number of pseudo-steps since the last event or accepted increment
     bool chosen = false;  // increment lengths are chosen automatically
-    // where the blocks were before they began to fall, if a limit was released since; null: none has been seen to fall
+    // where the blocks were before they began to fall; null: none has been seen to fall
     const std::vector<Point>* fallsFrom = nullptr;
     bool followsFalls = true;  // follow falling blocks until they have moved by their size, not only until they fall
 };

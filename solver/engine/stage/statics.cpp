@@ -43,6 +43,12 @@ constexpr long fewPasses = 16;  // iterations that a long increment may take; wi
 constexpr long manyPasses = 40;  // the same for the last increment; often there is no equilibrium at the full load
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 
+std::vector<Point> centroidsOf(const State& state) {
+    std::vector<Point> centroids;
+    for (const BlockMotion& block : state.blocks) centroids.push_back(block.centroid);
+    return centroids;
+}
+
 /// One move within an increment.
 class Move {
 public:
@@ -82,8 +88,13 @@ private:
                            bool followsFalls = true, Eigen::VectorXd* moved = nullptr) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
+        settings.maxSteps = most;
+        return equilibrium(state, path, std::move(settings), moved);
+    }
+
+    StepEnding equilibrium(State& state, const LoadPath& path, StaticSettings settings, Eigen::VectorXd* moved) {
         if (progress_.moving()) settings.fallsFrom = &progress_.fallsFrom;
-        settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
+        settings.maxSteps = std::min(settings.maxSteps, settings_.maxSteps - progress_.solves);
         const long before = engine_.health.steps;
         StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings, moved);
         progress_.solves += engine_.health.steps - before;
@@ -126,10 +137,14 @@ private:
     }
 
     /// Follows blocks that a search has seen to fall, unless limits of bolts are exceeded and must be released first.
+    /// Their way is measured from the last equilibrium.
     StepEnding followed(StepEnding seen, State& state, double to) {
         if (seen.ending != Ending::NoEquilibrium || seen.final || passesBoltLimit(state)) return seen;
         const LoadPoint at = between(a_, b_, to);
-        return equilibrium(state, {at, at}, std::numeric_limits<long>::max(), true);
+        const std::vector<Point> from = centroidsOf(state_);
+        StaticSettings settings = settings_;
+        settings.fallsFrom = &from;
+        return equilibrium(state, {at, at}, settings, nullptr);
     }
 
     bool passesLimit(const State& state) const {
@@ -157,8 +172,7 @@ private:
     /// Records whether limits are released in moving rock, and where the blocks were before they moved.
     void setMoving(bool moving) {
         if (!moving) progress_.fallsFrom.clear();
-        else if (!progress_.moving())
-            for (const BlockMotion& block : state_.blocks) progress_.fallsFrom.push_back(block.centroid);
+        else if (!progress_.moving()) progress_.fallsFrom = centroidsOf(state_);
     }
 
     /// Keeps the moving blocks at the positions that they have reached.
