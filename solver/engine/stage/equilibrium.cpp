@@ -46,7 +46,8 @@ constexpr double stillFalling = 0.1;  // of the previous residual: such a fast d
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
 constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
-// of the smaller block's size: a corner that enters no deeper through another edge is corrected in the next pseudo-step
+// of the smaller block's size: a corner that enters no deeper than this through another edge than estimated is corrected
+// in the next pseudo-step
 constexpr double deepEntrance = 1e-5;
 constexpr int mostPaths = 2;  // repetitions of a pseudo-step for this reason
 constexpr int mostPasses = 20;  // largest number of iterations of a pseudo-step
@@ -269,8 +270,9 @@ private:
 
     /// True if a corner enters through another edge than the search assumed.
     bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
+        const double deep = isEstimated() ? deepEntrance : 0.0;
         return move > pathShare * moveLimit_ &&
-               !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d, deepEntrance);
+               !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d, deep);
     }
 
     /// Repeats the step with contacts searched along its path.
