@@ -292,7 +292,8 @@ private:
         const PathReview review =
             reviewPath(engine_.model, state_, next.state, chosen.last > 0.0 ? length / chosen.last : 0.0);
         const double longest = review.straight ? 1.0 : review.boltsFlow ? longestFlow : longestBent;
-        const bool turns = review.turn > 1.0 && !isJump(review.turn, next.share);
+        const bool jumps = review.turn > 1.0 && isJump(review.turn, next.share);
+        const bool turns = review.turn > 1.0 && !jumps;
         const bool halve = review.error > 1.0 || turns;
         const bool tooLong = length > longest * (1.0 + 1e-9) || halve;
         if (tooLong && length > shortestChosen * (1.0 + 1e-9)) {
@@ -306,7 +307,7 @@ private:
         if (chosen.grows && 4.0 * std::max(review.error, review.turn) <= 1.0)
             chosen.next = std::max(chosen.next, 2.0 * length);
         chosen.next = std::min(chosen.next, longest);
-        chosen.last = length;
+        chosen.last = jumps ? 0.0 : length;
         accept(std::move(next));
         return true;
     }
