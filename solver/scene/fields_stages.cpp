@@ -268,7 +268,7 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::increments>("increments",
                                     "Number of equal increments of pseudo-time 0 … 1. Null: chosen by what happens in "
                                     "them; one where no joint slides or opens and no bolt yields or fails, at most a "
-                                    "tenth of the stage where joints start or stop sliding or opening, a fiftieth "
+                                    "seventh of the stage where joints start or stop sliding or opening, a fiftieth "
                                     "where bolts yield.",
                                     {.range = within(1, 1e6), .only = staticOnly}),
             row<&Stage::relaxation>("relaxation",

@@ -34,13 +34,14 @@ constexpr double locateShare = 1e-4;  // accuracy with which an event is located
 constexpr double shortResponse = 0.1;  // of the last length: no displacement is estimated from a shorter load increase
 
 // Increments of automatic length, in pseudo-time.
-constexpr double longestBent = 0.1;  // maximum length if joints slide, open or close: gives enough points on curves
+// maximum length if joints slide, open or close: gives enough points on curves
+constexpr double longestBent = 1.0 / 7.0;
 constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
 constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no equilibrium
 constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
 constexpr double sameTurn = 0.8;  // of the rotation in a longer increment: a block turns in a jump
 constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
-constexpr long manyPasses = 40;  // the same for the last increment; often there is no equilibrium at the full load
+constexpr long manyPasses = 20;  // the same for the last increment; often there is no equilibrium at the full load
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 
 std::vector<Point> centroidsOf(const State& state) {
