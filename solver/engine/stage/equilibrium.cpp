@@ -126,14 +126,14 @@ private:
             lastStep_.resize(0);
         }
         locked_ = lock;
-        StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, lock});
+        StepProblem problem = stepProblem(lock);
         if (balanced(problem, step) && !lock) {
             accept(problem);
             countAccepted(engine_, state_, loaded_ ? residual_ : 0.0);
             return Outcome::Balanced;
         }
         if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
-        if (!driven_ && settled_ && mayBook()) return bookPath(problem);
+        if (!driven_ && settled_ && mayBook()) problem = bookPath(problem, lock);
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
@@ -231,12 +231,18 @@ private:
         return false;
     }
 
-    /// Accepts the path so far, although the forces are not balanced yet.
-    Outcome bookPath(StepProblem& problem) {
+    /// The pseudo-step from the present positions.
+    StepProblem stepProblem(bool lock) const {
+        return buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, lock});
+    }
+
+    /// Accepts the path so far, although the forces are not balanced yet. The pseudo-step then starts from the same
+    /// positions and forces.
+    StepProblem bookPath(StepProblem& problem, bool lock) {
         accept(problem);
         startPath();
         bookNext_ = false;
-        return Outcome::Repeat;
+        return stepProblem(lock);
     }
 
     void startPath() {
@@ -345,7 +351,7 @@ private:
     /// unbalanced.
     StepEnding moving(Ending how) {
         searchContacts(nullptr);
-        StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, false});
+        StepProblem problem = stepProblem(false);
         accept(problem);
         ++state_.step;  // this state gets a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
