@@ -420,7 +420,9 @@ private:
             const double middle = search.next();
             State trial = under.state;
             const long before = engine_.health.passes;
-            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
+            Eigen::VectorXd moved = expectedOver((middle - under.share) * span());
+            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)},
+                                                  std::numeric_limits<long>::max(), true, &moved);
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
             const auto worst = worstLimit(limits, 0.0);
