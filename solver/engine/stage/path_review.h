@@ -24,7 +24,8 @@ struct PathReview {
 /// Compares the equilibria at the two ends of an increment.
 /// \param before, after the equilibria at the start and the end.
 /// \param ratio the length of the increment divided by the length of the previous increment; 0 if the load changed
-/// direction or something failed in between, so that contacts may stick from the start.
+/// direction, something failed in between or a block jumped in the previous increment, so that contacts may stick from
+/// the start.
 PathReview reviewPath(const Model& model, const State& before, const State& after, double ratio);
 
 }  // namespace keyblock

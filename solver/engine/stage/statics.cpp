@@ -34,14 +34,14 @@ constexpr double locateShare = 1e-4;  // accuracy with which an event is located
 constexpr double shortResponse = 0.1;  // of the last length: no displacement is estimated from a shorter load increase
 
 // Increments of automatic length, in pseudo-time.
-// maximum length if joints slide, open or close: gives enough points on curves
-constexpr double longestBent = 1.0 / 7.0;
+constexpr double longestBent = 1.0 / 7.0;  // maximum length if joints slide, open or close: enough points on curves
 constexpr double longestFlow = 0.02;  // maximum length if bolts yield or slip
 constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no equilibrium
 constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
 constexpr double sameTurn = 0.8;  // of the rotation in a longer increment: a block turns in a jump
 constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
-constexpr long manyPasses = 20;  // the same for the last increment; often there is no equilibrium at the full load
+// the same for the last increment, as for one pseudo-step: often there is no equilibrium at the full load
+constexpr long manyPasses = 20;
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 
 std::vector<Point> centroidsOf(const State& state) {
@@ -309,6 +309,7 @@ private:
             chosen.next = std::max(chosen.next, 2.0 * length);
         chosen.next = std::min(chosen.next, longest);
         chosen.last = jumps ? 0.0 : length;
+        if (jumps) progress_.response = {};
         accept(std::move(next));
         return true;
     }
@@ -406,6 +407,22 @@ private:
         return {};
     }
 
+    /// Searches for equilibrium at a point within an increment that has been passed.
+    /// \param estimates true to start from the estimated displacement. If blocks move, the search is repeated without.
+    StepEnding equilibriumNear(State& state, double from, double to, bool estimates) {
+        const LoadPoint before = between(a_, b_, from), at = between(a_, b_, to);
+        Eigen::VectorXd moved = estimates ? expectedOver((to - from) * span()) : Eigen::VectorXd();
+        if (moved.size() > 0) {
+            State trial = state;
+            StepEnding ending = equilibrium(trial, {before, at}, settings_, &moved);
+            if (!isMoving(ending)) {
+                state = std::move(trial);
+                return ending;
+            }
+        }
+        return equilibrium(state, {before, at});
+    }
+
     /// Shortens the increment to the point where the first limit is reached, if any limit is exceeded.
     StepEnding toFirstLimit(Reached& over) {
         std::vector<Limit> atEnd = heldLimits(engine_.model, over.state);
@@ -420,9 +437,7 @@ private:
             const double middle = search.next();
             State trial = under.state;
             const long before = engine_.health.passes;
-            Eigen::VectorXd moved = expectedOver((middle - under.share) * span());
-            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)},
-                                                  std::numeric_limits<long>::max(), true, &moved);
+            const StepEnding ending = equilibriumNear(trial, under.share, middle, stalled == 0);
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
             const auto worst = worstLimit(limits, 0.0);

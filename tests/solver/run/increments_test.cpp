@@ -79,7 +79,7 @@ TEST(Increments, SlidingBoxHasItsFriction) {
     EXPECT_NEAR(results.frames.back().blocks[1].displacement.x(), 0.01, 1e-12);
 }
 
-/// One increment is never dearer than ten; where it is given up for shorter ones, it was tried for eight iterations.
+/// One increment is never dearer than ten; if it is given up for shorter ones, that may cost eight iterations more.
 TEST(Increments, CostNoMoreThanTenEqualOnes) {
     const double trial = 8 * 1.2;  // factorizations, with what belongs to an iteration
     for (Scene scene : {pushedBox(0.2 * boxWeight, 45.0), pushedBox(0.5 * boxWeight, 30.0), draggedBox(0.01)}) {
