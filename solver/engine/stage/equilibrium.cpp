@@ -133,7 +133,10 @@ private:
             return Outcome::Balanced;
         }
         if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
-        if (!driven_ && settled_ && mayBook()) problem = bookPath(problem, lock);
+        if (!lock && !driven_ && settled_ && mayBook()) {
+            bookPath(problem);
+            problem = stepProblem(lock);
+        }
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
@@ -236,13 +239,11 @@ private:
         return buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, lock});
     }
 
-    /// Accepts the path so far, although the forces are not balanced yet. The pseudo-step then starts from the same
-    /// positions and forces.
-    StepProblem bookPath(StepProblem& problem, bool lock) {
+    /// Accepts the path so far, although the forces are not balanced yet.
+    void bookPath(StepProblem& problem) {
         accept(problem);
         startPath();
         bookNext_ = false;
-        return stepProblem(lock);
     }
 
     void startPath() {

@@ -19,7 +19,7 @@ constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // fraction of t
 // fraction of the net force, with sliding friction near rest: a larger error would add up to a drift
 constexpr double restTolerance = 1e-4;
 constexpr double accurateTolerance = 1e-4;  // fraction of the net force for accurate directions
-// of the force that a step may leave on each body: a direction at rest that leaves no more is accurate enough
+// of the force that a step at rest may leave on each body: a direction that leaves no more needs no further iterations
 constexpr double littleShare = 0.1;
 constexpr double restShare = 0.1;  // times the residual: tolerance farther from rest, but not above the tight one
 constexpr double nearBalance = 3e-3;  // residual up to which the tight tolerance applies
@@ -55,11 +55,13 @@ void freeOnly(const StepProblem& problem, Eigen::VectorXd& x) {
 }
 
 /// A net force less a linear combination of basis vectors.
-Eigen::VectorXd without(Eigen::VectorXd force, const std::vector<Eigen::VectorXd>& basis, const Eigen::VectorXd& factors) {
+Eigen::VectorXd without(Eigen::VectorXd force, const std::vector<Eigen::VectorXd>& basis,
+                        const Eigen::VectorXd& factors) {
     for (Eigen::Index j = 0; j < factors.size(); ++j) force -= factors[j] * basis[j];
     return force;
 }
 
+/// Whether a net force is small on each body compared with what the step may leave there.
 bool leavesLittle(const StepProblem& problem, const Eigen::VectorXd& net) {
     for (int body = 0; body < problem.blocks + problem.nodes; ++body)
         if (bodyResidual(problem, net, body) > littleShare * problem.mayLeave[body]) return false;
