@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/coupled_friction.h"
 
-#include "solver/engine/step/step_forces.h"
-
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -19,8 +17,6 @@ constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // fraction of t
 // fraction of the net force, with sliding friction near rest: a larger error would add up to a drift
 constexpr double restTolerance = 1e-4;
 constexpr double accurateTolerance = 1e-4;  // fraction of the net force for accurate directions
-// of the force that a step at rest may leave on each body: a direction that leaves no more needs no further iterations
-constexpr double littleShare = 0.1;
 constexpr double restShare = 0.1;  // times the residual: tolerance farther from rest, but not above the tight one
 constexpr double nearBalance = 3e-3;  // residual up to which the tight tolerance applies
 constexpr double roundOff = 1e-8;  // fraction of the net force, without sliding
@@ -52,20 +48,6 @@ std::vector<Sliding> slidingLinks(const StepProblem& problem, const Trial& at) {
 void freeOnly(const StepProblem& problem, Eigen::VectorXd& x) {
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[i]) x[i] = 0.0;
-}
-
-/// A net force less a linear combination of basis vectors.
-Eigen::VectorXd without(Eigen::VectorXd force, const std::vector<Eigen::VectorXd>& basis,
-                        const Eigen::VectorXd& factors) {
-    for (Eigen::Index j = 0; j < factors.size(); ++j) force -= factors[j] * basis[j];
-    return force;
-}
-
-/// Whether a net force is small on each body compared with what the step may leave there.
-bool leavesLittle(const StepProblem& problem, const Eigen::VectorXd& net) {
-    for (int body = 0; body < problem.blocks + problem.nodes; ++body)
-        if (bodyResidual(problem, net, body) > littleShare * problem.mayLeave[body]) return false;
-    return true;
 }
 
 /// The matrix of the step including the dependence of sliding friction on the normal forces: A + C.
@@ -144,8 +126,6 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
         left = (right - part * weights).norm();
         done = left <= enough || h(k + 1, k) < exhausted * first;
         basis.push_back(next / h(k + 1, k));
-        if (!done && rests && slides && left <= looseTolerance * net.norm())
-            done = leavesLittle(problem, without(start, basis, part * weights));
     }
     if (!done && !matrix.exact()) matrix.forget();
     Eigen::VectorXd sum = x;

@@ -23,8 +23,7 @@ struct Direction {
 /// Solves (A + C)·x = f for the displacement x, where f is the net force of the trial `at`. A is the step matrix for
 /// the tangents of the trial; C accounts for the dependence of sliding friction on its normal forces. Without sliding,
 /// the solution is accurate to round-off. With sliding, the error f − (A + C)·x is at most a few per cent of f and
-/// decreases with `residual`; at rest it may be larger where little is left on each body. If this accuracy is not
-/// reached, or if x is not a descent direction, C is left out.
+/// decreases with `residual`. If this accuracy is not reached, or if x is not a descent direction, C is left out.
 /// \param matrix contains an exact or approximate factorisation of A.
 /// \param residual the relative unbalanced force of the trial.
 /// \param accurate true to reduce the error to a ten-thousandth of f, with more iterations.
