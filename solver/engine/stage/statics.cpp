@@ -407,22 +407,6 @@ private:
         return {};
     }
 
-    /// Searches for equilibrium at a point within an increment that has been passed.
-    /// \param estimates true to start from the estimated displacement. If blocks move, the search is repeated without.
-    StepEnding equilibriumNear(State& state, double from, double to, bool estimates) {
-        const LoadPoint before = between(a_, b_, from), at = between(a_, b_, to);
-        Eigen::VectorXd moved = estimates ? expectedOver((to - from) * span()) : Eigen::VectorXd();
-        if (moved.size() > 0) {
-            State trial = state;
-            StepEnding ending = equilibrium(trial, {before, at}, settings_, &moved);
-            if (!isMoving(ending)) {
-                state = std::move(trial);
-                return ending;
-            }
-        }
-        return equilibrium(state, {before, at});
-    }
-
     /// Shortens the increment to the point where the first limit is reached, if any limit is exceeded.
     StepEnding toFirstLimit(Reached& over) {
         std::vector<Limit> atEnd = heldLimits(engine_.model, over.state);
@@ -437,7 +421,7 @@ private:
             const double middle = search.next();
             State trial = under.state;
             const long before = engine_.health.passes;
-            const StepEnding ending = equilibriumNear(trial, under.share, middle, stalled == 0);
+            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
             const auto worst = worstLimit(limits, 0.0);
