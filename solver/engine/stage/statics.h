@@ -19,7 +19,8 @@ struct PassedLimit {
 /// Automatically chosen increment lengths, in pseudo-time.
 struct ChosenLength {
     double next = 1.0;  // next length to try
-    double last = 0.0;  // last accepted length; 0: the load starts or turns here, or a part has failed or a block has jumped since
+    // last accepted length; 0: the load starts or turns here, or a part has failed or a block has jumped since
+    double last = 0.0;
     bool grows = true;  // lengths may still increase; false once a search failed or took too long
 };
 
