@@ -6,7 +6,6 @@
 #include "solver/files/read_error.h"
 
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -48,11 +47,6 @@ bool set(const char* variable, const std::string& value) {
     return true;
 }
 
-bool isAddressSpaceLimited() {
-    rlimit space{};
-    return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
-}
-
 }  // namespace
 
 void useBlasKernel(const std::string& kernel) {
@@ -66,7 +60,7 @@ void useBlasKernel(const std::string& kernel) {
 void chooseBlas() {
     const std::optional<std::string> kernel = widerBlasKernel();
     const bool another = kernel && !::getenv(blasKernelVariable) && set(blasKernelVariable, *kernel);
-    const bool single = isAddressSpaceLimited() && set("OPENBLAS_NUM_THREADS", "1");
+    const bool single = set("OPENBLAS_NUM_THREADS", "1");
     if (another || single) startAgain();
 }
 

@@ -13,14 +13,15 @@ namespace keyblock {
 /// \throws CannotRead if this processor cannot run the kernel
 void useBlasKernel(const std::string& kernel);
 
-/// Continues with a kernel that suits the processor, and without threads of OpenBLAS if the address space is limited
-/// (`ulimit -v`): starts the program again, once, unless this is so. To be called first in `main`.
+/// Continues with a kernel that suits the processor and without threads of OpenBLAS: starts the program again, once,
+/// unless this is so. To be called first in `main`.
 ///
 /// OpenBLAS knows processors by their model. On one that it does not know it takes a kernel without AVX, with which rock
 /// in motion takes up to a third longer. A kernel that the user has chosen (`OPENBLAS_CORETYPE`) is kept.
 ///
-/// A thread of OpenBLAS asks for a buffer of 128 MB, again and again where it does not get it, and may take it from the
-/// main thread, which then waits forever. The program itself uses OpenBLAS on one thread.
+/// The program uses OpenBLAS on one thread. Each further thread of OpenBLAS would wait for work at the full load of a
+/// processor for a tenth of a second. It would also ask for a buffer of 128 MB, again and again where it does not get it
+/// (`ulimit -v`), and might take it from the main thread, which would then wait forever.
 void chooseBlas();
 
 }  // namespace keyblock
