@@ -46,7 +46,7 @@ constexpr double rankShare = 0.6;
 /// of zeros is small enough. They are larger than CHOLMOD's defaults because a block has six columns: with fewer
 /// supernodes, less time is spent on BLAS calls for small matrices.
 constexpr std::size_t mergedColumns[] = {12, 24, 48};
-constexpr double mergedZeros[] = {0.8, 0.2, 0.1};
+constexpr double mergedZeros[] = {0.3, 0.1, 0.05};
 
 /// Operations per entry of a factor from which supernodes are faster than single columns. This is less than CHOLMOD's
 /// default of 40, because the six columns of a block have the same pattern. Chains of bolt nodes need fewer operations.
