@@ -5,6 +5,7 @@
 // in the scene; and where one falls, the stage says so.
 #include "solver/run/run.h"
 
+#include "solver/files/scene/scene_file.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -159,6 +161,18 @@ TEST(Equilibrium, ALimitLoadIsFoundWithoutIncrements) {
     const Results results = runInMemory(scene);
     EXPECT_EQ(results.stages.at(1).outcome, Outcome::Collapse);
     EXPECT_NEAR(results.stages[1].time, 1.0 / 1.2, 0.02);
+}
+
+/// The friction of the joint is 8 % too small to hold the block. It slides with hardly any resistance, so that an error
+/// of a direction moves it in each pseudo-step: with GMRES to a tenth of what a step may leave, 20,000 gave no verdict.
+TEST(Equilibrium, ABlockThatHardlySlidesIsDecided) {
+    const SceneReading reading =
+        readSceneFile(std::filesystem::path(KEYBLOCK_TEST_DATA_DIR) / "safety" / "overhanging-block.json");
+    ASSERT_TRUE(reading.scene);
+    const Results results = runInMemory(*reading.scene);
+    const Outcome outcome = results.stages.at(0).outcome;
+    EXPECT_TRUE(outcome == Outcome::Displaced || outcome == Outcome::Collapse) << results.stages[0].message;
+    EXPECT_LE(results.stages[0].health.steps, 2000);
 }
 
 }  // namespace
