@@ -19,9 +19,9 @@ void useBlasKernel(const std::string& kernel);
 /// OpenBLAS knows processors by their model. On one that it does not know it takes a kernel without AVX, with which rock
 /// in motion takes up to a third longer. A kernel that the user has chosen (`OPENBLAS_CORETYPE`) is kept.
 ///
-/// The program uses OpenBLAS on one thread. Each further thread of OpenBLAS would wait for work at the full load of a
-/// processor for a tenth of a second. It would also ask for a buffer of 128 MB, again and again where it does not get it
-/// (`ulimit -v`), and might take it from the main thread, which would then wait forever.
+/// The program uses OpenBLAS on one thread. Each further thread of OpenBLAS would spend a tenth of a second of CPU time
+/// waiting for work. It would also allocate a buffer of 128 MB. Where memory is limited (`ulimit -v`) it would try again
+/// and again, and could leave none for the main thread, which would then wait forever.
 void chooseBlas();
 
 }  // namespace keyblock

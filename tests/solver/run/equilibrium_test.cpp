@@ -164,7 +164,8 @@ TEST(Equilibrium, ALimitLoadIsFoundWithoutIncrements) {
 }
 
 /// The friction of the joint is 8 % too small to hold the block. It slides with hardly any resistance, so that an error
-/// of a direction moves it in each pseudo-step: with GMRES to a tenth of what a step may leave, 20,000 gave no verdict.
+/// of the solution moves it in each pseudo-step. When GMRES ended at a tenth of the force that a step may leave on each
+/// body, there was no verdict after 20,000 pseudo-steps.
 TEST(Equilibrium, ABlockThatHardlySlidesIsDecided) {
     const SceneReading reading =
         readSceneFile(std::filesystem::path(KEYBLOCK_TEST_DATA_DIR) / "safety" / "overhanging-block.json");

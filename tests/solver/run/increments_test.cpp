@@ -164,8 +164,8 @@ std::vector<Failure> failuresOfRebar(std::optional<int> increments) {
     return failures;
 }
 
-/// The parts on both sides of the joint are as strong as each other, so that an error of an equilibrium, such as that of
-/// an estimated displacement, could decide which of them fails first.
+/// The parts on both sides of the joint have the same strength, so that a small error of an equilibrium could decide
+/// which of them fails first.
 TEST(Increments, ThatTheProgramChoosesGiveTheSameOrderOfFailures) {
     const std::vector<Failure> failures = failuresOfRebar(std::nullopt);
     EXPECT_GE(failures.size(), 10U);
