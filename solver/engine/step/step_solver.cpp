@@ -202,15 +202,15 @@ private:
         std::vector<double> rates;
         rows_.rates(direction.displacement, rates);
         ++report_.work.products;
-        const Trial from = std::move(trial_);
+        std::swap(trial_, from_);
         const double before = report_.residual;
-        const auto go = [&](double length) { goAlong(from, direction.displacement, rates, length); };
+        const auto go = [&](double length) { goAlong(from_, direction.displacement, rates, length); };
         const std::vector<double> limits = limitsOf(problem_);
         go(1.0);
         if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance))
             return adaptFirmness(1.0);
         setLimits(problem_, limits);
-        const double length = lineSearch(problem_, from, direction.displacement, rates, direction.coupled);
+        const double length = lineSearch(problem_, from_, direction.displacement, rates, direction.coupled);
         if (length < 1.0) go(length);
         adaptFirmness(length);
         double best = length, least = report_.residual;
@@ -227,8 +227,7 @@ private:
     }
 
     void goAlong(const Trial& from, const Eigen::VectorXd& direction, const std::vector<double>& rates, double length) {
-        trial_ = from;
-        advance(problem_, rows_, direction, rates, length, trial_);
+        advance(problem_, rows_, from, direction, rates, length, trial_);
         ++report_.work.products;
         judge();
     }
@@ -354,6 +353,7 @@ private:
     bool isLocal_;  // solves for some bodies of another step
     LinkRows rows_;
     Trial trial_;
+    Trial from_;  // of the last Newton step; kept for its memory
     std::optional<Balance> balance_;
     SolveReport report_;
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start

@@ -12,6 +12,21 @@ namespace {
 
 constexpr std::size_t lawsATask = 4096;
 
+/// Sets the net forces to the loads minus the forces of the bodies' own stiffness.
+void takeBodies(const StepProblem& problem, Trial& trial) {
+    trial.net.resize(trial.d.size());
+    trial.net.tail<LinkRows::padding>().setZero();
+    for (int i = 0; i < problem.blocks; ++i) {
+        const Vector6 own = problem.blockStiffness[i] * trial.d.segment<6>(6 * i);
+        trial.net.segment<6>(6 * i) = problem.load.segment<6>(6 * i) - own;
+    }
+    for (int i = 0; i < problem.nodes; ++i) {
+        const int at = problem.first(problem.blocks + i);
+        const Eigen::Vector3d own = problem.nodeStiffness[i].cwiseProduct(trial.d.segment<3>(at));
+        trial.net.segment<3>(at) = problem.load.segment<3>(at) - own;
+    }
+}
+
 /// Evaluates the laws and the net forces at the current strains.
 void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     trial.laws.resize(rows.count());
@@ -21,7 +36,7 @@ void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
         setLimit(problem, pair, trial.laws[pair.from].force);
         respondAt(static_cast<std::size_t>(pair.limited));
     }
-    trial.net = padded(problem.load) - bodyProduct(problem, trial.d);
+    takeBodies(problem, trial);
     for (std::size_t i = 0; i < rows.count(); ++i)
         if (const double force = problem.links[i].law.share * trial.laws[i].force; force != 0.0)
             rows.add(i, -force, trial.net.data());
@@ -37,11 +52,12 @@ Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d) {
     return trial;
 }
 
-void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
-             const std::vector<double>& rates, double length, Trial& trial) {
-    trial.d += length * direction;
-    for (std::size_t i = 0; i < rates.size(); ++i) trial.strains[i] += length * rates[i];
-    judge(problem, rows, trial);
+void advance(StepProblem& problem, const LinkRows& rows, const Trial& from, const Eigen::VectorXd& direction,
+             const std::vector<double>& rates, double length, Trial& to) {
+    to.d = from.d + length * direction;
+    to.strains.resize(rates.size());
+    for (std::size_t i = 0; i < rates.size(); ++i) to.strains[i] = from.strains[i] + length * rates[i];
+    judge(problem, rows, to);
 }
 
 Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x) {

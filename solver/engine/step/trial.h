@@ -22,10 +22,11 @@ struct Trial {
 /// Evaluates the step at displacement `d` (padded) and sets the friction limits to match the forces there.
 Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d);
 
-/// Adds `length` times `direction` to the displacement of a trial and evaluates the step there.
+/// Evaluates the step at the displacement of the trial `from` plus `length` times `direction`.
 /// \param rates the strain increment of each link due to `direction`.
-void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
-             const std::vector<double>& rates, double length, Trial& trial);
+/// \param to receives the result; its memory is used again.
+void advance(StepProblem& problem, const LinkRows& rows, const Trial& from, const Eigen::VectorXd& direction,
+             const std::vector<double>& rates, double length, Trial& to);
 
 /// Product of the bodies' stiffness (inertia and elasticity) and `x`; `x` and the result are padded.
 Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x);
