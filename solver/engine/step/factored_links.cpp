@@ -50,16 +50,15 @@ double off(double a, double b) {
     return larger > 0.0 ? std::abs(a - b) / larger : 0.0;
 }
 
-bool isAsNow(const FactoredLink& link, const LinkRows& rows, std::size_t i, double weight) {
-    if (off(weight, link.weight) > sameWeight) return false;
-    if (weight == 0.0) return true;
+/// True if the gradient of a link differs from that in the factor by more than may be left.
+bool isTurned(const FactoredLink& link, const LinkRows& rows, std::size_t i) {
     double turned = 0.0, size = 0.0;
     for (std::size_t k = 0; k < 12; ++k) {
         const double g = rows.gradient(i)[k], off = g - link.gradient[k];
         turned += off * off;
         size += g * g;
     }
-    return turned <= sameGradient * size;
+    return !(turned <= sameGradient * size);
 }
 
 }  // namespace
@@ -68,9 +67,16 @@ bool FactoredLinks::begin(const StepProblem& problem, const LinkRows& rows) {
     std::vector<std::uint64_t> keys;
     keys.reserve(problem.links.size());
     for (const Link& link : problem.links) keys.push_back(keyOf(link));
-    if (keys == keys_) return true;
+    const bool same = keys == keys_;
+    if (!same) matchLinks(std::move(keys));
+    turned_.resize(links_.size());
+    for (std::size_t i = 0; i < links_.size(); ++i) turned_[i] = links_[i].weight > 0.0 && isTurned(links_[i], rows, i);
+    return same;
+}
+
+void FactoredLinks::matchLinks(std::vector<std::uint64_t> keys) {
     const auto before = byKey(keys_), now = byKey(keys);
-    std::vector<FactoredLink> links(rows.count());
+    std::vector<FactoredLink> links(keys.size());
     auto next = now.begin();
     for (const auto& [key, row] : before) {
         while (next != now.end() && next->first < key) ++next;
@@ -80,14 +86,17 @@ bool FactoredLinks::begin(const StepProblem& problem, const LinkRows& rows) {
     }
     links_ = std::move(links);
     keys_ = std::move(keys);
-    return false;
+}
+
+bool FactoredLinks::isAsNow(std::size_t i, double weight) const {
+    return off(weight, links_[i].weight) <= sameWeight && (weight == 0.0 || !turned_[i]);
 }
 
 FactoredLinks::Changes FactoredLinks::changesTo(const LinkRows& rows, std::span<const double> weights) const {
     Changes changes;
     changes.take = ended_;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (isAsNow(links_[i], rows, i, weights[i])) {
+        if (isAsNow(i, weights[i])) {
             changes.rounded = changes.rounded || off(links_[i].weight, weights[i]) > equalWeight;
             continue;
         }
@@ -98,13 +107,17 @@ FactoredLinks::Changes FactoredLinks::changesTo(const LinkRows& rows, std::span<
 }
 
 void FactoredLinks::change(const LinkRows& rows, std::span<const double> weights) {
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        if (!isAsNow(links_[i], rows, i, weights[i])) links_[i] = asNow(rows, i, weights[i]);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (isAsNow(i, weights[i])) continue;
+        links_[i] = asNow(rows, i, weights[i]);
+        turned_[i] = 0;
+    }
     ended_.clear();
 }
 
 void FactoredLinks::renew(const LinkRows& rows, std::span<const double> weights) {
     for (std::size_t i = 0; i < weights.size(); ++i) links_[i] = asNow(rows, i, weights[i]);
+    turned_.assign(links_.size(), 0);
     ended_.clear();
 }
 

@@ -48,8 +48,12 @@ public:
     double weight(std::size_t link) const { return links_[link].weight; }
 
 private:
+    void matchLinks(std::vector<std::uint64_t> keys);
+    bool isAsNow(std::size_t i, double weight) const;
+
     std::vector<std::uint64_t> keys_;  // per link of the step
     std::vector<FactoredLink> links_;  // per link of the step
+    std::vector<char> turned_;  // per link of the step: its gradient differs from that in the factor
     std::vector<FactoredLink> ended_;  // in the factor, but no longer in the step
 };
 
