@@ -69,10 +69,7 @@ bool isBehindSliver(const std::vector<Edge>& sides, const Edge& edge, const Poin
 
 /// The previous contact of a corner with the edge that starts at a turn of block `b`; null if there was none.
 const Contact* previousOf(const CandidateSearch& search, int a, int corner, int b, int turn) {
-    Contact key;
-    key.blockA = a, key.corner = corner, key.blockB = b;
-    key.edge = search.model.blocks[b].turns[turn];
-    return sameContact(search.before, key);
+    return contactAt(search.before, {a, corner, b, search.model.blocks[b].turns[turn]});
 }
 
 /// True if the corner was in contact with the edge and may still be. At the tip of a wedge, a corner pressed into the
@@ -258,6 +255,15 @@ double CandidateSearch::slack(int a, int b) const {
     return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
 }
 
+Box CandidateSearch::reachOf(int a, int b) const {
+    constexpr double rounding = 1.0 + 1e-9;  // nothing may be lost to it
+    const double across = (outlines[a].box.max - outlines[a].box.min).norm();
+    const double apart = (blocks[a].centroid - blocks[b].centroid).norm() + across;
+    const double moves = (drift[a].shift - drift[b].shift).norm() + std::abs(drift[a].turn) * across +
+                         std::abs(drift[b].turn) * apart;
+    return grown(outlines[b].box, rounding * (2.0 * (slack(a, b) + margin) + moves));
+}
+
 bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
     bool byPath = false;
     const std::vector<Faced> faced = facedEdges(*this, a, corner, b, byPath);
@@ -273,17 +279,26 @@ bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& 
     return byPath || faced.size() > 1;
 }
 
-const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact) {
-    const auto found = std::lower_bound(contacts.begin(), contacts.end(), contact, comesBefore);
-    return found != contacts.end() && !comesBefore(contact, *found) ? &*found : nullptr;
+const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& place) {
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), place,
+                                        [](const Contact& c, const ContactPlace& at) { return ContactPlace(c) < at; });
+    return found != contacts.end() && ContactPlace(*found) == place ? &*found : nullptr;
 }
 
-std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b) {
-    const std::uint64_t pair = ContactPlace::of(std::min(a, b), std::max(a, b));
-    const auto first = std::partition_point(contacts.begin(), contacts.end(),
-                                            [&](const Contact& c) { return ContactPlace(c).pair < pair; });
-    const auto last = std::find_if(first, contacts.end(), [&](const Contact& c) { return ContactPlace(c).pair != pair; });
-    return {first, last};
+std::vector<std::span<const Contact>> contactsOfPairs(std::span<const Contact> contacts,
+                                                      std::span<const std::pair<int, int>> pairs) {
+    const auto pairOf = [](const Contact& c) {
+        return std::pair(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB));
+    };
+    std::vector<std::span<const Contact>> parts;
+    parts.reserve(pairs.size());
+    auto next = contacts.begin();
+    for (const std::pair<int, int>& pair : pairs) {
+        const auto first = std::find_if(next, contacts.end(), [&](const Contact& c) { return pairOf(c) >= pair; });
+        next = std::find_if(first, contacts.end(), [&](const Contact& c) { return pairOf(c) != pair; });
+        parts.emplace_back(first, next);
+    }
+    return parts;
 }
 
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn) {

@@ -15,6 +15,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -68,24 +69,22 @@ struct CandidateSearch {
     /// Distance past the end of an edge of block B up to which a corner of block A still counts as resting on it [m].
     double slack(int a, int b) const;
 
+    /// The box outside of which no corner of block A can be in contact with block B.
+    Box reachOf(int a, int b) const;
+
     /// Adds the contacts of corner `corner` of block A with the edges of block B through which it would enter.
     /// \return true if the result could be different for another path with relative displacements up to the margin.
     bool addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
 };
-
-/// The contact in a sorted list that has the same corner and edge as `contact`; null if there is none.
-const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact);
-
-/// The part of a sorted list that contains the contacts between blocks `a` and `b`.
-std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b);
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.
 struct ContactPlace {
     std::uint64_t pair = 0, corner = 0;
     int edge = -1;
 
-    explicit ContactPlace(const Contact& c)
-        : pair(of(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB))), corner(of(c.blockA, c.corner)), edge(c.edge) {}
+    ContactPlace(int blockA, int cornerOfA, int blockB, int edgeOfB)
+        : pair(of(std::min(blockA, blockB), std::max(blockA, blockB))), corner(of(blockA, cornerOfA)), edge(edgeOfB) {}
+    explicit ContactPlace(const Contact& c) : ContactPlace(c.blockA, c.corner, c.blockB, c.edge) {}
 
     /// Combines two non-negative numbers into one sort key; the first number takes precedence.
     static std::uint64_t of(int first, int second) {
@@ -96,6 +95,19 @@ struct ContactPlace {
 };
 
 inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlace(x) < ContactPlace(y); }
+
+/// The contact in a sorted list with this corner and edge; null if there is none.
+const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& place);
+
+/// The contact in a sorted list that has the same corner and edge as `contact`; null if there is none.
+inline const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact) {
+    return contactAt(contacts, ContactPlace(contact));
+}
+
+/// For each pair of blocks of a sorted list, the part of the sorted list `contacts` that is between them.
+/// \param pairs the smaller number of a pair comes first.
+std::vector<std::span<const Contact>> contactsOfPairs(std::span<const Contact> contacts,
+                                                      std::span<const std::pair<int, int>> pairs);
 
 /// The straight run of the outline that starts at corner `block.turns[turn]`.
 /// \param corners current positions of the block's corners [m]

@@ -40,13 +40,18 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
 std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b, FoundCorners::Pair* kept) {
     std::vector<Contact> found;
     found.reserve(search.before.size());  // usually the contacts are the same as before
-    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
+    if (kept) kept->corners.reserve(search.before.size());
+    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
+        const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
+            const Point& place = search.blocks[first].corners[corner];
+            if (!meets(reach, {place, place})) continue;
             const auto begin = std::ssize(found);
             const bool byPath = search.addCorner(first, corner, second, found);
             const auto end = std::ssize(found);
             if (kept && (byPath || end > begin)) kept->corners.push_back({first, corner, second, byPath, begin, end});
         }
+    }
     if (kept) kept->contacts = found;
     return found;
 }
@@ -187,9 +192,10 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
     if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<FoundCorners::Pair>(pairs.size())};
+    const std::vector<std::span<const Contact>> beforeOf = contactsOfPairs(before, pairs);
     forEach(pairs.size(), pairsATask, [&](std::size_t i) {
         const auto& [a, b] = pairs[i];
-        const std::span<const Contact> own = contactsBetween(before, a, b);
+        const std::span<const Contact>& own = beforeOf[i];
         const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
         std::vector<Contact>& found = perPair[i];
         FoundCorners::Pair* kept = asked.corners ? &(asked.corners->pairs[i] = {a, b, {}, {}}) : nullptr;
@@ -217,20 +223,25 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     const std::vector<Drift> drift = driftOf(blocks, &path);
     const std::vector<char> far = movesFar(model, blocks, drift, found.margin);
     const Standings standings(model, blocks, contacts);
-    const auto searchOf = [&](const FoundCorners::Pair& pair) {
-        return CandidateSearch{model,     blocks,      contactsBetween(contacts, pair.a, pair.b), drift, found.outlines,
-                               standings, found.margin};
+    std::vector<std::pair<int, int>> pairs;
+    pairs.reserve(found.pairs.size());
+    for (const FoundCorners::Pair& pair : found.pairs) pairs.emplace_back(pair.a, pair.b);
+    const std::vector<std::span<const Contact>> contactsOf = contactsOfPairs(contacts, pairs);
+    const auto searchOf = [&](std::size_t i) {
+        return CandidateSearch{model, blocks, contactsOf[i], drift, found.outlines, standings, found.margin};
     };
     const auto isFar = [&](const FoundCorners::Pair& pair) { return far[pair.a] || far[pair.b]; };
-    const bool same = std::ranges::all_of(found.pairs, [&](const FoundCorners::Pair& pair) {
-        const bool byPath = isFar(pair) || std::ranges::any_of(pair.corners, &FoundCorners::Corner::byPath);
-        return !byPath || findsTheSame(searchOf(pair), pair, isFar(pair));
-    });
-    if (same) return true;
-    std::vector<std::vector<Contact>> perPair(found.pairs.size());
-    forEach(perPair.size(), pairsATask, [&](std::size_t i) {
+    bool same = true;
+    for (std::size_t i = 0; same && i < pairs.size(); ++i) {
         const FoundCorners::Pair& pair = found.pairs[i];
-        if (isFar(pair) || !pair.corners.empty()) perPair[i] = contactsOn(searchOf(pair), pair, isFar(pair));
+        const bool byPath = isFar(pair) || std::ranges::any_of(pair.corners, &FoundCorners::Corner::byPath);
+        same = !byPath || findsTheSame(searchOf(i), pair, isFar(pair));
+    }
+    if (same) return true;
+    std::vector<std::vector<Contact>> perPair(pairs.size());
+    forEach(pairs.size(), pairsATask, [&](std::size_t i) {
+        const FoundCorners::Pair& pair = found.pairs[i];
+        if (isFar(pair) || !pair.corners.empty()) perPair[i] = contactsOn(searchOf(i), pair, isFar(pair));
     });
     std::vector<Contact> now = joined(perPair);
     handOver(model, blocks, contacts, false, now);
