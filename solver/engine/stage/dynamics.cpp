@@ -8,6 +8,7 @@
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/glue.h"
 #include "solver/engine/stage/energy_account.h"
+#include "solver/engine/stage/limit_search.h"
 #include "solver/engine/stage/limits.h"
 #include "solver/engine/stage/preload.h"
 #include "solver/engine/stage/resticks.h"
@@ -20,13 +21,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
 constexpr double shortestTimeStep = 1e-6;  // over the given time step: if a shorter one is needed, the stage fails
 constexpr double eventStep = 1e-3;  // over the given time step: within this time, an event is not located more closely
-constexpr double locatedWithin = 1e-4;
+constexpr double locatedWithin = 1e-4;  // of a limit's strength
+constexpr int mostLocatingTries = 40;  // in the search for an event
 constexpr double nearShare = 1e-3;  // of the smallest block's size: minimum range of the contact search
 constexpr double pathOfSmallest = 1e-5;  // of the smallest block's size: a longer move may enter through another edge
 constexpr int mostPathsOfAStep = 2;  // repetitions of a step for this reason
@@ -100,6 +104,12 @@ bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         if (model.blocks[i].cell && std::abs(d[6 * static_cast<Eigen::Index>(i) + 2]) > 2.0 * mostCellTurn) return true;
     return false;
+}
+
+/// Length of the next step to try in the search for a limit [s].
+double nextTime(LimitSearch& search) {
+    const double next = search.next(), low = search.high() - search.width();
+    return next > low && next < search.high() ? next : low + 0.5 * search.width();
 }
 
 }  // namespace
@@ -200,6 +210,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
     Eigen::VectorXd path = guess, start = guess;  // a repeated step starts from its last solution
+    if (trial.taken.d.size() > 0) start = (dt / trial.taken.options.dt) * trial.taken.d;  // of another length
     bool again = false;
     Eigen::VectorXd cellPath;
     for (int paths = 0, arcs = 0, turns = 0;; again = true) {
@@ -281,15 +292,13 @@ StepEnding DynamicStage::find(const State& state, double time, double end, Dynam
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
     double dt = std::min(pace.dt, longestStep(model, state, settings_.timeStep));
     if (dt >= rest * (1.0 - 1e-9)) dt = rest;
-    const std::vector<Limit> before = heldLimits(model, state);
-    const auto start = worstLimit(before, 0.0);
-    const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;
-    double low = 0.0, high = 0.0;  // interval that contains the first limit, once a limit is exceeded
+    std::optional<LimitSearch> search;  // once a limit is exceeded
     for (int tries = 0;; ++tries) {
         const Attempt attempted = attempt(state, time, dt, pace, found);
         if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};
         if (attempted == Attempt::TooLong) {
             ++engine_.health.stepCuts;
+            search.reset();
             dt = cutStep(pace, dt);
             if (dt >= shortestTimeStep * settings_.timeStep) continue;
             StepEnding failed{Ending::Failed, "no time step converges near " + nameOfBody(model, worst_), {}};
@@ -298,23 +307,26 @@ StepEnding DynamicStage::find(const State& state, double time, double end, Dynam
         }
         if (attempted == Attempt::Unbalanced) {
             ++engine_.health.energyCuts;
+            search.reset();
             dt *= energyCut;
             pace.dt = dt;
             continue;
         }
-        const auto worst = worstLimit(heldLimits(model, found.state), 0.0);
+        std::vector<Limit> limits = heldLimits(model, found.state);
+        const auto worst = worstLimit(limits, 0.0);
         const double ratio = worst ? worst->ratio : 0.0;
-        if (ratio > 1.0 + locatedWithin) high = dt;
-        else low = dt;
-        const bool located = high == 0.0 || ratio >= 1.0 - locatedWithin;
-        if (ratio <= 1.0 + locatedWithin && located) break;
-        if (high - low <= eventStep * settings_.timeStep || tries > 40) break;
-        const double share = tries % 2 == 0 && high == dt ? (1.0 - startRatio) / (ratio - startRatio) : 0.5;
-        dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
-        if (dt <= low) dt = 0.5 * (low + high);
+        const bool over = ratio > 1.0 + locatedWithin;
+        const bool located = ratio >= 1.0 - locatedWithin || !search;
+        if (!over && located) break;
+        if (!search) search.emplace(0.0, heldLimits(model, state), dt, std::move(limits));
+        else if (dt == search->high()) break;
+        else search->take(dt, std::move(limits), over);
+        const bool close = search->width() <= eventStep * settings_.timeStep || tries > mostLocatingTries;
+        if (close && over) break;
+        dt = close ? search->high() : nextTime(*search);  // a step that ends before the limit would not release it
     }
     found.dt = dt;
-    found.atLimit = high > 0.0;
+    found.atLimit = search.has_value();
     return {};
 }
 

@@ -190,6 +190,17 @@ TEST(Dynamics, ABondLetsGoAtItsStrength) {
     expectEnergyBalance(results);
 }
 
+/// In a step as long as the swing, the force of the bond is far from linear in time.
+TEST(Dynamics, ABondIsLocatedInAFewTries) {
+    Scene scene = hung(40e3);
+    scene.stages[0].timeStep = 1e-3;
+    const Results results = runInMemory(scene);
+    ASSERT_FALSE(results.events.empty());
+    EXPECT_NEAR(std::abs(results.events.front().anchorForce), 40e3, 1e-4 * 40e3);
+    const StageResult& stage = results.stages[0];
+    EXPECT_LE(stage.health.steps - stage.steps, 4);
+}
+
 TEST(Dynamics, ABondStrongerThanTheSwingHolds) {
     const Results results = runInMemory(hung(2.1 * weight));
     EXPECT_TRUE(results.events.empty());
