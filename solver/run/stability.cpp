@@ -200,19 +200,25 @@ Point Stability::velocity(int row) const {
     return block.velocity[0] * block.axis + block.velocity[1] * turnLeft(block.axis);
 }
 
-/// Largest velocity relative to the blocks that it touches now, except those that move away from it; its own velocity if
-/// it touches none [m/s].
-double Stability::speed(int first) const {
-    double fastest = 0.0;
-    bool alone = true;
+/// Per first row: largest velocity relative to the blocks that it touches now, except those that move away from it; its
+/// own velocity if it touches none [m/s].
+std::vector<double> Stability::speeds() const {
+    std::vector<double> fastest(model_.blocks.size(), 0.0);
+    std::vector<char> alone(model_.blocks.size(), 1);
+    const auto take = [&](int row, int otherRow) {
+        const std::size_t first = at(wholeOf(model_, row));
+        alone[first] = 0;
+        const Point own = velocity(row), other = velocity(otherRow);
+        if (own.norm() >= itsOwnWay * other.norm()) fastest[first] = std::max(fastest[first], (own - other).norm());
+    };
     for (const Contact& c : state_.contacts) {
-        const bool isA = wholeOf(model_, c.blockA) == first, isB = wholeOf(model_, c.blockB) == first;
-        if (isA == isB || !touches(model_, c)) continue;
-        alone = false;
-        const Point own = velocity(isA ? c.blockA : c.blockB), other = velocity(isA ? c.blockB : c.blockA);
-        if (own.norm() >= itsOwnWay * other.norm()) fastest = std::max(fastest, (own - other).norm());
+        if (wholeOf(model_, c.blockA) == wholeOf(model_, c.blockB) || !touches(model_, c)) continue;
+        take(c.blockA, c.blockB);
+        take(c.blockB, c.blockA);
     }
-    return alone ? velocity(first).norm() : fastest;
+    for (std::size_t i = 0; i < fastest.size(); ++i)
+        if (alone[i]) fastest[i] = velocity(static_cast<int>(i)).norm();
+    return fastest;
 }
 
 /// True if it moved at least as fast in the last tenth of the stage as in the tenth before.
@@ -226,10 +232,11 @@ bool Stability::keepsItsSpeed(int first) const {
 
 std::vector<UnstableBlock> Stability::moving(bool continued) const {
     std::vector<int> blocks;
+    const std::vector<double> speed = speeds();
     for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first) {
         if (!decides(first)) continue;
         const bool fell = state_.blocks[at(first)].fallen && !start_.blocks[at(first)].fallen;
-        const bool goesOn = !continued && speed(first) > slow && keepsItsSpeed(first);
+        const bool goesOn = !continued && speed[at(first)] > slow && keepsItsSpeed(first);
         if (fell || moved(first) > reach(first) || goesOn) blocks.push_back(first);
     }
     return describeAll(blocks);

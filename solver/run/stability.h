@@ -71,7 +71,7 @@ private:
     double movedItself(int first) const;
     double movedFrom(int row, int other) const;
     Point velocity(int row) const;
-    double speed(int first) const;
+    std::vector<double> speeds() const;
     bool keepsItsSpeed(int first) const;
     UnstableBlock describe(int first) const;
     std::vector<UnstableBlock> describeAll(const std::vector<int>& blocks) const;
