@@ -256,7 +256,7 @@ double CandidateSearch::slack(int a, int b) const {
 }
 
 Box CandidateSearch::reachOf(int a, int b) const {
-    constexpr double rounding = 1.0 + 1e-9;  // nothing may be lost to it
+    constexpr double rounding = 1.0 + 1e-9;  // no corner may be skipped because of rounding
     const double across = (outlines[a].box.max - outlines[a].box.min).norm();
     const double apart = (blocks[a].centroid - blocks[b].centroid).norm() + across;
     const double moves = (drift[a].shift - drift[b].shift).norm() + std::abs(drift[a].turn) * across +

@@ -29,7 +29,7 @@ namespace {
 
 constexpr double shortestTimeStep = 1e-6;  // over the given time step: if a shorter one is needed, the stage fails
 constexpr double eventStep = 1e-3;  // over the given time step: within this time, an event is not located more closely
-constexpr double locatedWithin = 1e-4;  // of a limit's strength
+constexpr double locatedWithin = 1e-4;  // fraction of the strength
 constexpr int mostLocatingTries = 40;  // in the search for an event
 constexpr double nearShare = 1e-3;  // of the smallest block's size: minimum range of the contact search
 constexpr double pathOfSmallest = 1e-5;  // of the smallest block's size: a longer move may enter through another edge
@@ -210,7 +210,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
     Eigen::VectorXd path = guess, start = guess;  // a repeated step starts from its last solution
-    if (trial.taken.d.size() > 0) start = (dt / trial.taken.options.dt) * trial.taken.d;  // of another length
+    if (trial.taken.d.size() > 0) start = (dt / trial.taken.options.dt) * trial.taken.d;  // the last try, scaled
     bool again = false;
     Eigen::VectorXd cellPath;
     for (int paths = 0, arcs = 0, turns = 0;; again = true) {
