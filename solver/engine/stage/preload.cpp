@@ -25,6 +25,26 @@ constexpr double movingTolerance = 10.0;  // times the tolerance of the scene: t
 /// True if a contact is closed: at its zero point or compressed.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
+/// True if anything acts on blocks at rest: a load, a prescribed motion, or the force of a joint, bolt, support or glue.
+bool isLoaded(const State& state, const StepProblem& problem) {
+    const auto carries = [&](const Link& link) {
+        return !ofContact(link.kind) && respond(problem, link, link.strain + link.shift).force != 0.0;
+    };
+    const auto pushes = [](const Contact& c) { return c.bonded || c.normalForce != 0.0 || c.shearForce != 0.0; };
+    return !problem.load.isZero(0.0) || !problem.value.isZero(0.0) ||
+           std::any_of(state.contacts.begin(), state.contacts.end(), pushes) ||
+           std::any_of(problem.links.begin(), problem.links.end(), carries);
+}
+
+/// Shifts the zero points of touching contacts so that they carry nothing. Their corners meet only to within round-off.
+void carryNothing(const Model& model, State& state) {
+    for (Contact& c : state.contacts) {
+        if (!touches(model, c)) continue;
+        carryNormal(model, c, gapOf(state.blocks, c), 0.0);
+        carryShear(model, c, slipOf(state.blocks, c), 0.0);
+    }
+}
+
 /// Keeps only touching contacts, supports and glue active while the preload is calculated; bolts keep their current
 /// forces.
 void keepTouching(const Model& model, const State& state, StepProblem& problem) {
@@ -97,6 +117,26 @@ public:
     PreloadSearch(Engine& engine, State& state, const Loads& loads, const LoadPoint& first)
         : engine_(engine), state_(state), loads_(loads), first_(first) {}
 
+    /// If nothing acts on the blocks, stores that their contacts carry nothing. Returns true in that case.
+    bool isFreeOfForces(double dt) {
+        begin({Inertia::Static, dt, true});
+        if (isLoaded(state_, problem_)) return false;
+        carryNothing(engine_.model, state_);
+        return true;
+    }
+
+    /// Finds the forces in several rounds at rest, and if that fails in the first time step.
+    /// \return false if the run was stopped.
+    bool find(double dt, double timeStep) {
+        for (int round = 0; round < restRounds; ++round) {
+            const SolveReport report = atRest(dt, round == 0);
+            if (report.stopped) return false;
+            if (!report.converged) return !moving(timeStep).stopped;
+        }
+        return true;
+    }
+
+private:
     /// Makes a round at rest. With friction, a scene that is near rest after a few iterations is allowed all
     /// iterations.
     SolveReport atRest(double dt, bool frictionLocked) {
@@ -115,7 +155,6 @@ public:
         return solve({.tolerance = movingTolerance * engine_.model.numerics.tolerance, .sweepsFirst = &sweepsFirst});
     }
 
-private:
     void begin(const StepOptions& options) {
         problem_ = buildStep(engine_.model, state_, loads_, first_, options);
         keepTouching(engine_.model, state_, problem_);
@@ -151,13 +190,7 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
     State trial = state;
     setAtRest(trial);
     PreloadSearch search(engine, trial, loads, first);
-    bool rests = true;
-    for (int round = 0; round < restRounds && rests; ++round) {
-        const SolveReport report = search.atRest(dt, round == 0);
-        if (report.stopped) return false;
-        rests = report.converged;
-    }
-    if (!rests && search.moving(timeStep).stopped) return false;
+    if (!search.isFreeOfForces(dt) && !search.find(dt, timeStep)) return false;
     restoreVelocities(state, trial);
     state = std::move(trial);
     return true;

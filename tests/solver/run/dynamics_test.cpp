@@ -99,6 +99,29 @@ TEST(Dynamics, ZeroGravityIsPeace) {
     EXPECT_EQ(box(results).velocity, Point(0.0, 0.0));
 }
 
+/// The corners of cells meet only to within round-off, whose forces are not to be solved for.
+TEST(Dynamics, CellsThatNothingActsOnCostNothing) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.analysis.gravity = {0.0, 0.0};
+    scene.domain = SceneDomain{{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}}, scene.materials.front().first, {}};
+    scene.voronoi.emplace().size = 1.0;
+    scene.stages = {dynamic(1e-3, 1e-3)};
+    const Results results = runInMemory(scene);
+    ASSERT_GT(results.frames.back().blocks.size(), 100u);
+    for (const BlockState& block : results.frames.back().blocks) EXPECT_LT(block.displacement.norm(), 1e-14);
+    EXPECT_EQ(results.stages[0].health.work.solves, 0);
+}
+
+/// Blocks that overlap by less than a corner may deviate are not pushed apart.
+TEST(Dynamics, ASmallOverlapPushesNothing) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    scene.analysis.gravity = {0.0, 0.0};
+    for (Point& corner : scene.blocks.back().points) corner.y() -= 1e-10;
+    scene.stages = {dynamic(0.01, 1e-3)};
+    const Results results = runInMemory(scene);
+    EXPECT_LT(box(results).velocity.norm(), 1e-9);
+}
+
 TEST(Dynamics, FreeFallTurnsWorkIntoMotion) {
     Scene scene = boxOnBase(0.0, 30.0);
     for (Point& p : scene.blocks[1].points) p.y() += 20.0;
