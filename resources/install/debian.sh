@@ -24,7 +24,7 @@ for argument in "$@"; do
 done
 
 packages="g++ cmake ninja-build ccache pkg-config
-          libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev libjemalloc-dev
+          libeigen3-dev libboost-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev libjemalloc-dev
           nlohmann-json3-dev libcli11-dev libsqlite3-dev libxxhash-dev libssl-dev libdxflib-dev
           qtbase5-dev libqt5svg5-dev libqcustomplot-dev libvtk9-qt-dev libgl1-mesa-dri libmuparser-dev fonts-inter
           libgtest-dev libbenchmark-dev$further"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/candidates.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,6 +29,8 @@ struct Faced {
     /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
     double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
 };
+
+using FacedEdges = boost::container::small_vector<Faced, 4>;  // seldom more
 
 Point driftAt(const BlockMotion& block, const Drift& drift, const Point& p) {
     return drift.shift + drift.turn * turnLeft(p - block.centroid);
@@ -83,13 +87,13 @@ bool isPressed(const CandidateSearch& search, int a, int corner, int b, int turn
 
 /// The edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the corner
 /// may be in front of other edges.
-std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
+FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
     const std::vector<Point>& own = search.blocks[a].corners;
     const std::vector<Point>& other = search.blocks[b].corners;
     const Point& p = own[corner];
     const Point moves = driftAt(search.blocks[a], search.drift[a], p) - driftAt(search.blocks[b], search.drift[b], p);
     const double over = search.slack(a, b), room = over + search.margin;
-    std::vector<Faced> faced;
+    FacedEdges faced;
     const Outline& outline = search.outlines[b];
     if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return faced;
     for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
@@ -266,7 +270,7 @@ Box CandidateSearch::reachOf(int a, int b) const {
 
 bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
     bool byPath = false;
-    const std::vector<Faced> faced = facedEdges(*this, a, corner, b, byPath);
+    const FacedEdges faced = facedEdges(*this, a, corner, b, byPath);
     const Entrance entrance(*this, a, corner, b);
     for (const Faced& one : faced) {
         const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {

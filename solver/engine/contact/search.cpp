@@ -10,6 +10,8 @@
 #include "solver/engine/step/parallel.h"
 #include "solver/engine/step/phase.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,7 +19,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t pairsATask = 64;
+constexpr std::size_t pairsOfBatch = 64;
 
 using BlockPairs = std::vector<std::pair<int, int>>;
 
@@ -36,11 +38,12 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     return pairs;
 }
 
-/// \param kept receives the corners and their contacts, unless null.
-std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b, FoundCorners::Pair* kept) {
-    std::vector<Contact> found;
-    found.reserve(search.before.size());  // usually the contacts are the same as before
-    if (kept) kept->corners.reserve(search.before.size());
+/// Replaces `found` by the candidates of two blocks. \param kept receives the corners and their contacts, unless null.
+void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Contact>& found,
+                    FoundCorners::Batch* kept) {
+    found.clear();
+    const std::ptrdiff_t before = kept ? std::ssize(kept->contacts) : 0;
+    if (kept) kept->pairs.push_back({a, b, std::ssize(kept->corners), std::ssize(kept->corners)});
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
@@ -49,11 +52,16 @@ std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b, F
             const auto begin = std::ssize(found);
             const bool byPath = search.addCorner(first, corner, second, found);
             const auto end = std::ssize(found);
-            if (kept && (byPath || end > begin)) kept->corners.push_back({first, corner, second, byPath, begin, end});
+            if (!kept || (!byPath && end == begin)) continue;
+            kept->corners.push_back({first, corner, second, byPath, before + begin, before + end});
+            ++kept->pairs.back().end;
         }
     }
-    if (kept) kept->contacts = found;
-    return found;
+    if (kept) kept->contacts.insert(kept->contacts.end(), found.begin(), found.end());
+}
+
+std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch, const FoundCorners::Pair& pair) {
+    return {batch.corners.begin() + pair.begin, batch.corners.begin() + pair.end};
 }
 
 /// For each block, whether one of its corners moves by so much that it, or a corner near the block, may come near edges
@@ -71,15 +79,18 @@ std::vector<char> movesFar(const Model& model, const std::vector<BlockMotion>& b
     return far;
 }
 
-/// Finds the candidates of two blocks again for another path. \param isFar true if all their corners have to be
+/// Finds the candidates of a pair in a batch again for another path. \param isFar true if all their corners have to be
 /// searched, not only those that were found.
-std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
-    if (isFar) return candidatesOf(search, pair.a, pair.b, nullptr);
+std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Batch& batch,
+                                     const FoundCorners::Pair& pair, bool isFar) {
     std::vector<Contact> found;
-    found.reserve(pair.contacts.size());
-    for (const FoundCorners::Corner& c : pair.corners) {
+    if (isFar) {
+        findCandidates(search, pair.a, pair.b, found, nullptr);
+        return found;
+    }
+    for (const FoundCorners::Corner& c : cornersOf(batch, pair)) {
         if (c.byPath) search.addCorner(c.a, c.corner, c.b, found);
-        else found.insert(found.end(), pair.contacts.begin() + c.begin, pair.contacts.begin() + c.end);
+        else found.insert(found.end(), batch.contacts.begin() + c.begin, batch.contacts.begin() + c.end);
     }
     return found;
 }
@@ -99,7 +110,7 @@ bool sameCorners(const CandidateSearch& search, const Contact& x, const Contact&
 }
 
 void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
-    std::vector<char> drop(found.size(), 0);
+    boost::container::small_vector<char, 16> drop(found.size(), 0);
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = i + 1; j < found.size(); ++j) {
             if (drop[i] || drop[j] || !sameCorners(search, found[i], found[j])) continue;
@@ -114,19 +125,20 @@ void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
     found.resize(kept);
 }
 
-std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
+std::vector<Contact> joined(const std::vector<std::vector<Contact>>& parts) {
     std::vector<Contact> contacts;
-    contacts.reserve(std::accumulate(perPair.begin(), perPair.end(), std::size_t{0},
+    contacts.reserve(std::accumulate(parts.begin(), parts.end(), std::size_t{0},
                                      [](std::size_t sum, const auto& found) { return sum + found.size(); }));
-    for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
+    for (const auto& found : parts) contacts.insert(contacts.end(), found.begin(), found.end());
     if (!std::is_sorted(contacts.begin(), contacts.end(), comesBefore))
         std::sort(contacts.begin(), contacts.end(), comesBefore);
     return contacts;
 }
 
 /// Whether a search for another path would find the contacts between two blocks again.
-bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
-    std::vector<Contact> found = candidatesAgain(search, pair, isFar);
+bool findsTheSame(const CandidateSearch& search, const FoundCorners::Batch& batch, const FoundCorners::Pair& pair,
+                  bool isFar) {
+    std::vector<Contact> found = candidatesAgain(search, batch, pair, isFar);
     dropDoubles(search, found);
     std::sort(found.begin(), found.end(), comesBefore);
     return std::ranges::equal(found, search.before, [](const Contact& x, const Contact& y) {
@@ -135,8 +147,9 @@ bool findsTheSame(const CandidateSearch& search, const FoundCorners::Pair& pair,
 }
 
 /// The contacts between two blocks that a search for another path would find. Those in `search.before` are copied.
-std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorners::Pair& pair, bool isFar) {
-    std::vector<Contact> contacts = candidatesAgain(search, pair, isFar);
+std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorners::Batch& batch,
+                                const FoundCorners::Pair& pair, bool isFar) {
+    std::vector<Contact> contacts = candidatesAgain(search, batch, pair, isFar);
     dropDoubles(search, contacts);
     for (Contact& contact : contacts) {
         if (const Contact* old = sameContact(search.before, contact)) contact = *old;
@@ -189,22 +202,26 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
     const Standings standings(model, blocks, before);
     const std::vector<Drift> drift = driftOf(blocks, asked.path);
-    std::vector<std::vector<Contact>> perPair(pairs.size());
+    const std::size_t batches = (pairs.size() + pairsOfBatch - 1) / pairsOfBatch;
+    std::vector<std::vector<Contact>> perBatch(batches);
     std::vector<double> lost(pairs.size(), 0.0);
-    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<FoundCorners::Pair>(pairs.size())};
+    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<FoundCorners::Batch>(batches)};
     const std::vector<std::span<const Contact>> beforeOf = contactsOfPairs(before, pairs);
-    forEach(pairs.size(), pairsATask, [&](std::size_t i) {
-        const auto& [a, b] = pairs[i];
-        const std::span<const Contact>& own = beforeOf[i];
-        const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
-        std::vector<Contact>& found = perPair[i];
-        FoundCorners::Pair* kept = asked.corners ? &(asked.corners->pairs[i] = {a, b, {}, {}}) : nullptr;
-        found = candidatesOf(search, a, b, kept);
-        dropDoubles(search, found);
-        for (Contact& contact : found) lost[i] += giveHistory(model, blocks, own, asked.first, contact);
+    forEach(batches, 1, [&](std::size_t batch) {
+        FoundCorners::Batch* kept = asked.corners ? &asked.corners->batches[batch] : nullptr;
+        std::vector<Contact> found;
+        const std::size_t end = std::min(pairs.size(), (batch + 1) * pairsOfBatch);
+        for (std::size_t i = batch * pairsOfBatch; i < end; ++i) {
+            const std::span<const Contact>& own = beforeOf[i];
+            const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
+            findCandidates(search, pairs[i].first, pairs[i].second, found, kept);
+            dropDoubles(search, found);
+            for (Contact& contact : found) lost[i] += giveHistory(model, blocks, own, asked.first, contact);
+            perBatch[batch].insert(perBatch[batch].end(), found.begin(), found.end());
+        }
     });
     if (asked.corners) asked.corners->outlines = std::move(outlines);
-    std::vector<Contact> contacts = joined(perPair);
+    std::vector<Contact> contacts = joined(perBatch);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
     dropHeldCorners(model, contacts);
@@ -223,25 +240,28 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     const std::vector<Drift> drift = driftOf(blocks, &path);
     const std::vector<char> far = movesFar(model, blocks, drift, found.margin);
     const Standings standings(model, blocks, contacts);
-    std::vector<std::pair<int, int>> pairs;
-    pairs.reserve(found.pairs.size());
-    for (const FoundCorners::Pair& pair : found.pairs) pairs.emplace_back(pair.a, pair.b);
+    BlockPairs pairs;
+    for (const FoundCorners::Batch& batch : found.batches)
+        for (const FoundCorners::Pair& pair : batch.pairs) pairs.emplace_back(pair.a, pair.b);
     const std::vector<std::span<const Contact>> contactsOf = contactsOfPairs(contacts, pairs);
     const auto searchOf = [&](std::size_t i) {
         return CandidateSearch{model, blocks, contactsOf[i], drift, found.outlines, standings, found.margin};
     };
+    const auto batchOf = [&](std::size_t i) -> const FoundCorners::Batch& { return found.batches[i / pairsOfBatch]; };
+    const auto pairAt = [&](std::size_t i) -> const FoundCorners::Pair& { return batchOf(i).pairs[i % pairsOfBatch]; };
     const auto isFar = [&](const FoundCorners::Pair& pair) { return far[pair.a] || far[pair.b]; };
     bool same = true;
     for (std::size_t i = 0; same && i < pairs.size(); ++i) {
-        const FoundCorners::Pair& pair = found.pairs[i];
-        const bool byPath = isFar(pair) || std::ranges::any_of(pair.corners, &FoundCorners::Corner::byPath);
-        same = !byPath || findsTheSame(searchOf(i), pair, isFar(pair));
+        const FoundCorners::Pair& pair = pairAt(i);
+        const bool byPath = isFar(pair) ||
+                            std::ranges::any_of(cornersOf(batchOf(i), pair), &FoundCorners::Corner::byPath);
+        same = !byPath || findsTheSame(searchOf(i), batchOf(i), pair, isFar(pair));
     }
     if (same) return true;
     std::vector<std::vector<Contact>> perPair(pairs.size());
-    forEach(pairs.size(), pairsATask, [&](std::size_t i) {
-        const FoundCorners::Pair& pair = found.pairs[i];
-        if (isFar(pair) || !pair.corners.empty()) perPair[i] = contactsOn(searchOf(i), pair, isFar(pair));
+    forEach(pairs.size(), pairsOfBatch, [&](std::size_t i) {
+        const FoundCorners::Pair& pair = pairAt(i);
+        if (isFar(pair) || pair.begin < pair.end) perPair[i] = contactsOn(searchOf(i), batchOf(i), pair, isFar(pair));
     });
     std::vector<Contact> now = joined(perPair);
     handOver(model, blocks, contacts, false, now);

@@ -20,17 +20,22 @@ struct FoundCorners {
     struct Corner {
         int a = -1, corner = -1, b = -1;
         bool byPath = false;  // the contacts depend on the path; otherwise they are the same for every path
-        std::ptrdiff_t begin = 0, end = 0;  // its contacts, as a range of `Pair::contacts`
+        std::ptrdiff_t begin = 0, end = 0;  // its contacts, as a range of `Batch::contacts`
     };
-    /// The corners of two blocks, and the contacts of all of them.
+    /// Two blocks near each other.
     struct Pair {
         int a = -1, b = -1;
+        std::ptrdiff_t begin = 0, end = 0;  // their corners, as a range of `Batch::corners`
+    };
+    /// Pairs that are searched one after the other, with their corners and contacts.
+    struct Batch {
+        std::vector<Pair> pairs;
         std::vector<Corner> corners;
         std::vector<Contact> contacts;
     };
     double margin = 0.0;  // margin of the search [m]
     std::vector<Outline> outlines;  // outlines of the blocks in the search
-    std::vector<Pair> pairs;  // pairs of blocks near each other
+    std::vector<Batch> batches;  // all pairs of blocks near each other
 };
 
 /// Options of a contact search.
