@@ -97,14 +97,32 @@ void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) cons
     });
 }
 
+/// Adds the pairs of boxes of a level that meet. Behind a box in the list, these begin in its own cell, in the next cell
+/// of its row, or in three cells of the next row, whose first one moves on with the box.
+void BoxGrid::addPairsWithin(const Level& level, std::vector<std::pair<int, int>>& pairs) const {
+    const auto end = level.entries.end();
+    auto above = level.entries.begin();
+    for (auto own = level.entries.begin(); own != end; ++own) {
+        const auto addOfRow = [&](auto entry, std::int64_t row) {
+            for (; entry != end && entry->row == row && entry->column <= own->column + 1; ++entry)
+                if (meets(boxes_[entry->box], boxes_[own->box])) pairs.emplace_back(std::minmax(entry->box, own->box));
+        };
+        addOfRow(own + 1, own->row);
+        const auto first = std::pair(own->row + 1, own->column - 1);
+        while (above != end && std::pair(above->row, above->column) < first) ++above;
+        addOfRow(above, own->row + 1);
+    }
+}
+
 std::vector<std::pair<int, int>> BoxGrid::meetingPairs() const {
     std::vector<std::pair<int, int>> pairs;
-    for (auto own = levels_.begin(); own != levels_.end(); ++own)
+    for (auto own = levels_.begin(); own != levels_.end(); ++own) {
+        addPairsWithin(*own, pairs);
         for (const Entry& entry : own->entries)
-            for (auto level = own; level != levels_.end(); ++level)
-                visitMeeting(*level, boxes_[entry.box], [&](int other) {
-                    if (level != own || entry.box < other) pairs.emplace_back(std::minmax(entry.box, other));
-                });
+            for (auto level = own + 1; level != levels_.end(); ++level)
+                visitMeeting(*level, boxes_[entry.box],
+                             [&](int other) { pairs.emplace_back(std::minmax(entry.box, other)); });
+    }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

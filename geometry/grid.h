@@ -45,6 +45,7 @@ private:
     void visitCells(const Level& level, const Box& box, Visit visit) const;
     template <class Visit>
     void visitMeeting(const Level& level, const Box& box, Visit visit) const;
+    void addPairsWithin(const Level& level, std::vector<std::pair<int, int>>& pairs) const;
     std::int64_t cellIndex(double offset, double cell) const;
 
     std::vector<Box> boxes_;
