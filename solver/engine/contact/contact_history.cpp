@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace keyblock {
@@ -102,10 +105,38 @@ int sharedBlock(const std::vector<BlockMotion>& blocks, const Contact& x, const 
     return -1;
 }
 
+/// The contacts of each block, as indices into a list of contacts.
+class ContactsOfBlocks {
+public:
+    ContactsOfBlocks(std::size_t blocks, const std::vector<Contact>& contacts)
+        : first_(blocks + 1, 0), contacts_(2 * contacts.size()) {
+        for (const Contact& c : contacts) ++first_[c.blockA + 1], ++first_[c.blockB + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::ptrdiff_t> next = first_;
+        for (int i = 0; const Contact& c : contacts) {
+            contacts_[next[c.blockA]++] = contacts_[next[c.blockB]++] = i;
+            ++i;
+        }
+    }
+
+    /// Contacts of either block in ascending order, each once.
+    std::vector<int> ofEither(int a, int b) const {
+        std::vector<int> either;
+        std::set_union(begin(a), begin(a + 1), begin(b), begin(b + 1), std::back_inserter(either));
+        return either;
+    }
+
+private:
+    std::vector<int>::const_iterator begin(int block) const { return contacts_.begin() + first_[block]; }
+
+    std::vector<std::ptrdiff_t> first_;  // per block: its first entry in `contacts_`; then the number of entries
+    std::vector<int> contacts_;
+};
+
 /// The contact that replaces one that slid off its edge. It lies at the same position on the same side of a block; a
 /// contact of the same corner is preferred, then the nearest one. Null if there is none.
 Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone,
-                std::vector<Contact>& found) {
+                const ContactsOfBlocks& ofBlocks, std::vector<Contact>& found) {
     const double past = pastEnd(model, blocks, gone);
     const double near = nearShare * std::min(model.blocks[gone.blockA].size, model.blocks[gone.blockB].size);
     if (past < -near) return nullptr;  // it opened
@@ -113,7 +144,8 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     const Point& place = blocks[gone.blockA].corners[gone.corner];
     Contact* heir = nullptr;
     auto best = std::pair(true, std::numeric_limits<double>::max());
-    for (Contact& c : found) {
+    for (const int i : ofBlocks.ofEither(gone.blockA, gone.blockB)) {
+        Contact& c = found[i];
         if (sharedBlock(blocks, gone, c) < 0) continue;
         const bool samePair = std::minmax(gone.blockA, gone.blockB) == std::minmax(c.blockA, c.blockB);
         if (givesItself(model, gone) && !samePair) continue;
@@ -191,6 +223,7 @@ double handOver(const Model& model, const std::vector<BlockMotion>& blocks, cons
     double lost = 0.0;
     std::vector<Contact> kept;
     std::vector<const Contact*> heirs;
+    std::optional<ContactsOfBlocks> ofBlocks;  // where a contact needs an heir
     auto next = found.begin();
     for (const Contact& old : before) {
         if (old.normalForce <= 0.0 && !old.bonded && !underWay) continue;
@@ -202,7 +235,8 @@ double handOver(const Model& model, const std::vector<BlockMotion>& blocks, cons
         }
         const ContactForces now = underWay ? forcesNow(model, blocks, old) : accepted(old);
         if (now.normal <= 0.0 && old.normalForce <= 0.0) continue;
-        Contact* heir = heirOf(model, blocks, old, found);
+        if (!ofBlocks) ofBlocks.emplace(blocks.size(), found);
+        Contact* heir = heirOf(model, blocks, old, *ofBlocks, found);
         const bool known =
             heir && (sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end());
         // closed and opened again on the way to an equilibrium: its neighbour carries the force from now on
