@@ -97,8 +97,9 @@ void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) cons
     });
 }
 
-/// Adds the pairs of boxes of a level that meet. Behind a box in the list, these begin in its own cell, in the next cell
-/// of its row, or in three cells of the next row, whose first one moves on with the box.
+/// Adds the pairs of boxes of a level that meet. A box is compared only with later boxes of the list: those in its own
+/// cell, in the next cell of its row, and in the three adjacent cells of the next row. The position of the first of
+/// these three only increases from box to box.
 void BoxGrid::addPairsWithin(const Level& level, std::vector<std::pair<int, int>>& pairs) const {
     const auto end = level.entries.end();
     auto above = level.entries.begin();

@@ -25,7 +25,7 @@ constexpr double movingTolerance = 10.0;  // times the tolerance of the scene: t
 /// True if a contact is closed: at its zero point or compressed.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
-/// True if anything acts on blocks at rest: a load, a prescribed motion, or the force of a joint, bolt, support or glue.
+/// True if anything acts on blocks at rest: a load, a prescribed motion, or a force of a joint, bolt, support or glue.
 bool isLoaded(const State& state, const StepProblem& problem) {
     const auto carries = [&](const Link& link) {
         return !ofContact(link.kind) && respond(problem, link, link.strain + link.shift).force != 0.0;
@@ -36,7 +36,8 @@ bool isLoaded(const State& state, const StepProblem& problem) {
            std::any_of(problem.links.begin(), problem.links.end(), carries);
 }
 
-/// Shifts the zero points of touching contacts so that they carry nothing. Their corners meet only to within round-off.
+/// Shifts the zero points of touching contacts so that they carry no force, although their corners meet only to within
+/// round-off.
 void carryNothing(const Model& model, State& state) {
     for (Contact& c : state.contacts) {
         if (!touches(model, c)) continue;
@@ -117,7 +118,7 @@ public:
     PreloadSearch(Engine& engine, State& state, const Loads& loads, const LoadPoint& first)
         : engine_(engine), state_(state), loads_(loads), first_(first) {}
 
-    /// If nothing acts on the blocks, stores that their contacts carry nothing. Returns true in that case.
+    /// True if no force acts on the blocks; their touching contacts then carry no force.
     bool isFreeOfForces(double dt) {
         begin({Inertia::Static, dt, true});
         if (isLoaded(state_, problem_)) return false;
@@ -125,7 +126,7 @@ public:
         return true;
     }
 
-    /// Finds the forces in several rounds at rest, and if that fails in the first time step.
+    /// Finds the forces in several rounds at rest, or if one of them does not converge, in the first time step.
     /// \return false if the run was stopped.
     bool find(double dt, double timeStep) {
         for (int round = 0; round < restRounds; ++round) {

@@ -99,8 +99,8 @@ TEST(Dynamics, ZeroGravityIsPeace) {
     EXPECT_EQ(box(results).velocity, Point(0.0, 0.0));
 }
 
-/// The corners of cells meet only to within round-off, whose forces are not to be solved for.
-TEST(Dynamics, CellsThatNothingActsOnCostNothing) {
+/// The corners of cells meet only to within round-off; the forces of such overlaps must not be solved for.
+TEST(Dynamics, CellsWithoutLoadsNeedNoSolution) {
     Scene scene = emptyScene(10e9, 0.2, 30.0);
     scene.analysis.gravity = {0.0, 0.0};
     scene.domain = SceneDomain{{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}}, scene.materials.front().first, {}};
@@ -112,8 +112,8 @@ TEST(Dynamics, CellsThatNothingActsOnCostNothing) {
     EXPECT_EQ(results.stages[0].health.work.solves, 0);
 }
 
-/// Blocks that overlap by less than a corner may deviate are not pushed apart.
-TEST(Dynamics, ASmallOverlapPushesNothing) {
+/// An overlap within the geometric tolerance does not push blocks apart.
+TEST(Dynamics, BlocksWithASmallOverlapStayAtRest) {
     Scene scene = boxOnBase(0.0, 30.0);
     scene.analysis.gravity = {0.0, 0.0};
     for (Point& corner : scene.blocks.back().points) corner.y() -= 1e-10;
