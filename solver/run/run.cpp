@@ -151,6 +151,7 @@ private:
         now_.firstStep = now_.state.step;
         now_.passes -= engine_.health.passes;  // continues the count from the last checkpoint
         engine_.health = {};
+        engine_.passedStep = -1;
         wakeAll(now_.state);
         part_.reset();
         setStrengths();
@@ -222,15 +223,7 @@ private:
     /// Makes one accepted step or, in a static stage, one move within an increment.
     StepEnding advance() {
         if (!isStatic()) {
-            stepBegan_ = now_.time;
-            const bool slept = isAllAsleep(model_, now_.state);
-            StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
-            if (ending.ending == Ending::Done) ending = checkEnergy();
-            countAwake();
-            mark(now_.start, now_.state, now_.time, stage().duration);
-            if (!slept || !isAllAsleep(model_, now_.state)) lookBack(ending);
-            keepFrame(false);
-            return ending;
+            return advanceInTime();
         }
         const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
                                              staticSettings(scene_, stage()), *this, now_.within);
@@ -247,11 +240,29 @@ private:
         return ending;
     }
 
-    void countAwake() {
+    /// Makes one dynamic step. Nothing is checked or recorded again while every block sleeps.
+    StepEnding advanceInTime() {
+        stepBegan_ = now_.time;
+        const bool passed = engine_.passedStep == now_.state.step;
+        const bool slept = passed || isAllAsleep(model_, now_.state);
+        StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
+        const bool passes = engine_.passedStep == now_.state.step;
+        if (ending.ending == Ending::Done && !(slept && passes)) ending = checkEnergy(passes);
+        if (!(passed && passes)) findAwake();
+        engine_.health.awake += awake_;
+        engine_.health.movable += awake_ + asleep_;
+        mark(now_.start, now_.state, now_.time, stage().duration);
+        if (!(slept && passes)) lookBack(ending);
+        keepFrame(false);
+        return ending;
+    }
+
+    void findAwake() {
+        awake_ = asleep_ = 0;
         for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
             const bool awake = isAwake(model_, now_.state, i);
-            engine_.health.awake += awake;
-            engine_.health.movable += awake || now_.state.blocks[i].rest.asleep;
+            awake_ += awake;
+            asleep_ += !awake && now_.state.blocks[i].rest.asleep;
         }
     }
 
@@ -263,9 +274,9 @@ private:
     }
 
     /// Lets the stage fail if the error of the energy balance exceeds the limit of the scene, since results with
-    /// spurious energy are not valid.
-    StepEnding checkEnergy() {
-        if (now_.state.step % energyEvery != 0 && !stageOver()) return {};
+    /// spurious energy are not valid. \param last if no check follows before blocks move again.
+    StepEnding checkEnergy(bool last) {
+        if (now_.state.step % energyEvery != 0 && !last && !stageOver()) return {};
         const auto excess = energyExcess(model_, now_.state, now_.start.blocks, scene_.limits.energy, now_.energy);
         if (!excess) return {};
         StepEnding failed{Ending::Failed,
@@ -596,6 +607,7 @@ private:
     std::vector<double> times_;  // end times of a static stage's increments
     std::optional<LoadPoint> ended_;  // loads at the end of a stage, while its result is being written
     double stepBegan_ = 0.0;  // start of the last dynamic step, in the time of the stage
+    long awake_ = 0, asleep_ = 0;  // blocks after the last dynamic step
     bool stepping_ = false;  // a single step is made while paused
     bool atRest_ = false;  // between two steps
 };

@@ -88,6 +88,10 @@ SleepLimits SleepingStage::limitsAt(double time) const {
 StepEnding SleepingStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
     const double dt = std::min(pace.dt, end - time);
+    if (staysAsleep(state, time, dt)) {
+        pass(state, time, end, pace);
+        return {};
+    }
     const std::vector<double> openings = loadsAt_(time + dt).openings;
     const bool dilates = !openings.empty() && openings != state.openings;
     if (dilates || !limitsAt(time + dt).allow()) wakeAllAt(time, state);
@@ -196,6 +200,14 @@ StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, Dyn
     }
 }
 
+/// True if every block slept over the previous step and the loads are still the same, so that nothing can wake. The
+/// blocks are not looked at, because a scene at rest should cost the same whatever its size.
+bool SleepingStage::staysAsleep(const State& state, double time, double dt) const {
+    if (engine_.passedStep != state.step) return false;
+    const LoadPoint now = loadsAt_(time), next = loadsAt_(time + dt);
+    return isSameForce(now, next) && (next.openings.empty() || next.openings == state.openings);
+}
+
 /// Lets the time of a step pass in which nothing moves.
 void SleepingStage::pass(State& state, double& time, double end, DynamicPace& pace) const {
     part_.reset();
@@ -204,7 +216,8 @@ void SleepingStage::pass(State& state, double& time, double end, DynamicPace& pa
     time = later(time, dt, end, pace.roundedUp);
     lengthenStep(pace, pace.dt, settings_.timeStep);
     pace.lastMove = 0.0;
-    if (++state.step % stepsAPass == 0) ++engine_.health.passes;
+    engine_.passedStep = ++state.step;
+    if (state.step % stepsAPass == 0) ++engine_.health.passes;
     if (engine_.passed) engine_.passed();
 }
 

@@ -46,6 +46,7 @@ private:
     void startMoving(const std::vector<char>& slept, double time, State& state) const;
     StepEnding stepOfWhole(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
     StepEnding stepOfPart(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
+    bool staysAsleep(const State& state, double time, double dt) const;
     void pass(State& state, double& time, double end, DynamicPace& pace) const;
     void prepare(const State& state, double time, double dt, const DynamicPace& pace);
     DynamicStage partStage() const;

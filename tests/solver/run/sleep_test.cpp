@@ -137,6 +137,18 @@ TEST(Sleep, ALoadPushesASleepingBrickAway) {
     EXPECT_LT(apart(both), 1e-3 * slid.x());
 }
 
+/// The second dynamic stage begins while every block sleeps.
+TEST(Sleep, ALoadOfTheNextStageMovesABrickThatSlept) {
+    Scene scene = wall(4, 4, 0.2);
+    scene.stages.push_back(dynamic(0.3, 1e-3));
+    scene.stages.back().name = "push";
+    scene.stages.back().loads = {forceAt({3.9, 1.9}, {12000.0, 0.0}, {{0.0, 1.0}, {0.3, 1.0}})};
+    const Both both = runBoth(scene);
+    const Point slid = both.everything.frames.back().blocks.back().displacement;
+    EXPECT_GT(slid.x(), 0.05);
+    EXPECT_LT(apart(both), 1e-3 * slid.x());
+}
+
 /// Under stress from all sides, so that contacts carry many times the weights.
 TEST(Sleep, UnderEverySchemeWhatWakesHasTheForcesThatItHad) {
     for (const Integration scheme : {Integration::Shi, Integration::BackwardEuler, Integration::Newmark,
