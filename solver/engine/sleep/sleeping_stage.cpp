@@ -79,7 +79,7 @@ SleepingStage::SleepingStage(Engine& engine, std::unique_ptr<PartInUse>& part, c
     : engine_(engine), part_(part), loads_(loads), loadsAt_(loadsAt), settings_(settings),
       whole_(engine, loads, std::move(loadsAt), settings), tolerance_(tolerance) {}
 
-StepEnding SleepingStage::begin(State& state) { return whole_.begin(state); }
+StepEnding SleepingStage::begin(State& state, bool inMotion) { return whole_.begin(state, inMotion); }
 
 SleepLimits SleepingStage::limitsAt(double time) const {
     return {tolerance_, settings_.timeStep, tolerance_ > 0.0 ? weightPerMass(engine_.model, loadsAt_(time)) : 0.0};

@@ -36,7 +36,7 @@ public:
                   std::function<LoadPoint(double)> loadsAt, const DynamicSettings& settings, double tolerance);
 
     /// As in `DynamicStage`. \pre in `begin`, every block is awake.
-    StepEnding begin(State& state);
+    StepEnding begin(State& state, bool inMotion);
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:

@@ -39,7 +39,8 @@ public:
     /// contact forces and block stresses that are consistent with the initial accelerations are stored as preload
     /// (theory, "The start of a motion"). Blocks with a prescribed motion get the velocity of that motion. Initial
     /// accelerations are calculated if the time scheme uses them.
-    StepEnding begin(State& state);
+    /// \param inMotion the stage continues the motion of another one: forces stay as they are, without preload.
+    StepEnding begin(State& state, bool inMotion = false);
 
     /// Advances the state by one accepted step, which ends at the time `end` [s] at the latest, and updates `time` [s].
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);

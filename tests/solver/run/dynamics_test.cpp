@@ -22,6 +22,7 @@ namespace {
 using test::box;
 using test::boxOnBase;
 using test::dynamic;
+using test::lastOf;
 using test::settle;
 using test::weight;
 
@@ -247,6 +248,31 @@ TEST(Dynamics, ABondStrongerThanTheSwingHolds) {
     const Results results = runInMemory(hung(2.1 * weight));
     EXPECT_TRUE(results.events.empty());
     expectEnergyBalance(results);
+}
+
+/// A soft block rebounds from the base. The next stage begins while it is compressed, and two other blocks touch without
+/// any force.
+TEST(Dynamics, AMotionThatTheNextStageContinuesKeepsItsForces) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    scene.materials[0].second.youngsModulus = 1e6;
+    scene.analysis.gravity = {0.0, 0.0};
+    for (const double x : {4.0, 5.0}) scene.blocks.push_back(boxBlock("", {x, 0}, {x + 1.0, 1}));
+    const auto motionIn = [&](const std::vector<double>& durations) {
+        scene.stages.clear();
+        for (const double duration : durations) {
+            scene.stages.push_back(dynamic(duration, 5e-4));
+            scene.stages.back().integration = Integration::Newmark;
+        }
+        InitialVelocity down;
+        down.blockAt = Point(0.5, 0.5);
+        down.velocity = Point(0.0, -0.1);
+        scene.stages[0].initialVelocities = {down};
+        return runInMemory(scene);
+    };
+    const Results whole = motionIn({0.15}), divided = motionIn({0.05, 0.1});
+    EXPECT_LT(lastOf(divided, 0).blocks[1].displacement.y(), -1e-3);
+    EXPECT_GT(box(whole).displacement.y(), 5e-3);
+    EXPECT_NEAR(box(divided).displacement.y(), box(whole).displacement.y(), 1e-9);
 }
 
 TEST(Dynamics, ALostBoltLeavesNothingBehind) {

@@ -59,11 +59,13 @@ inline const BlockState& box(const Results& results) { return results.frames.bac
 inline const Frame& last(const Solved& solved) { return solved.results.frames.back(); }
 
 /// The last frame of a stage; the first frame of the run if the stage has none.
-inline const Frame& lastOf(const Solved& solved, int stage) {
-    const auto found = std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
+inline const Frame& lastOf(const Results& results, int stage) {
+    const auto found = std::find_if(results.frames.rbegin(), results.frames.rend(),
                                     [&](const Frame& frame) { return frame.stage == stage; });
-    return found == solved.results.frames.rend() ? solved.results.frames.front() : *found;
+    return found == results.frames.rend() ? results.frames.front() : *found;
 }
+
+inline const Frame& lastOf(const Solved& solved, int stage) { return lastOf(solved.results, stage); }
 
 /// Expects that every stage ended in equilibrium or after its duration, with an energy balance error below `balance`.
 inline void expectDone(const Results& results, double balance = 1e-3) {
