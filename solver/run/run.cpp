@@ -214,7 +214,8 @@ private:
         const double before = accountedEnergy(model_, now_.state);
         for (const InitialVelocity& initial : stage().initialVelocities)
             setVelocity(scene_, model_, initial, now_.state);
-        const StepEnding ending = dynamics().begin(now_.state);
+        const bool inMotion = !now_.results.empty() && scene_.stages[now_.results.back().stage].kind == StageKind::Dynamic;
+        const StepEnding ending = dynamics().begin(now_.state, inMotion);
         // initial velocities and preload are given, not gained
         now_.state.startEnergy += accountedEnergy(model_, now_.state) - before;
         return ending;
@@ -432,14 +433,14 @@ private:
         afterEvent(now_.state, now_.time);
     }
 
-    /// Reports events that need no release, with a history row before and after each. The extremes of the state have
-    /// already been recorded.
+    /// Reports events that need no release. They change nothing, so all have the history rows before and after them in
+    /// common. The extremes of the state have already been recorded.
     void lookAround() {
-        for (Event& event : watch_.look(now_.state)) {
-            writeRow(now_.state, now_.time);
-            this->event(event, now_.state, now_.time);
-            writeRow(now_.state, now_.time);
-        }
+        std::vector<Event> events = watch_.look(now_.state);
+        if (events.empty()) return;
+        writeRow(now_.state, now_.time);
+        for (Event& event : events) this->event(event, now_.state, now_.time);
+        writeRow(now_.state, now_.time);
     }
 
     void beforeEvent(const State& state, double time) override { keepRow(state, time); }
@@ -487,6 +488,8 @@ private:
     /// Keeps the state at the start of the last dynamic step if a bolt had its largest force so far there.
     void keepPassedPeak(const State& state) {
         if (isStatic() || stepBegan_ == now_.time || state.bolts.empty()) return;
+        const TakenStep& whole = engine_.taken;
+        if (whole.step == state.step && !passedPeak(model_, whole.before, state, now_.eventFrames)) return;
         const std::optional<State> before = stateBefore(engine_, part_.get(), state);
         if (before && passedPeak(model_, *before, state, now_.eventFrames)) keepEventFrame(*before, stepBegan_, false);
     }
