@@ -5,7 +5,7 @@
 wall    running bond of 1 m x 0.5 m bricks on a fixed slab, settled, then at rest
 tilt    the same with 20 degrees of friction and a body acceleration of g sin 25 degrees along it: it slides and topples
 tunnel  cells of 1 m between a fixed floor and fixed walls; those within 4 m of the middle are removed at once
-drift   the sample drift-unbolted, and with more rock around it as drift-large: the key block falls, the rest comes to rest
+drift   the sample drift-unbolted, and with more rock around it as drift-large: the key block falls while the other blocks are at rest
 collapse  a horseshoe 11 m wide in three joint sets, static, without bolts
 pulled  blocks that hang from a fixed roof on grouted bars, static, pulled down until the bond of every bar has failed
 """
@@ -139,12 +139,14 @@ def sample(name):
     return json.loads((SAMPLES / f"{name}.json").read_text(encoding="utf-8"))
 
 
-def large_drift(half=27, duration=0.9):
-    """The unbolted drift in more rock. In its last stage the key block falls, and the stage ends before it lands."""
+def large_drift(half=27, rest=0.2, duration=0.7):
+    """The unbolted drift in more rock. The key block falls. In the last stage the other blocks no longer vibrate, and it
+    ends before the key block lands."""
     drift = sample("drift-unbolted")
     drift["domain"]["boundary"] = [[-half, 2 - half], [half, 2 - half], [half, half], [-half, half]]
     drift["in_situ_stress"]["reference_y"] = half
-    drift["stages"][3:] = [{"name": "fall", "kind": "dynamic", "duration": duration, "time_step": 0.002}]
+    lengths = {"come to rest": rest, "fall": duration}
+    drift["stages"][3:] = [{"name": n, "kind": "dynamic", "duration": d, "time_step": 0.002} for n, d in lengths.items()]
     drift["output"] = {"frames": 1}
     return {key: value for key, value in drift.items() if key not in ("expected", "quantities")}
 
@@ -183,6 +185,7 @@ def all_scenes(large):
     yield "tunnel", tunnel()
     yield "tunnel-fine", tunnel(time_step=1e-4)
     yield "wall-bolts", awake(wall(40, 26, bolted=True))
+    yield "wall-bolts-settled", wall(40, 26, steps=10000, bolted=True)
     yield "tilt-bolts", tilt(40, 26, bolted=True)
     yield "drift", sample("drift-unbolted")
     yield "drift-large", large_drift()
