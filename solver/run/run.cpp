@@ -214,7 +214,8 @@ private:
         const double before = accountedEnergy(model_, now_.state);
         for (const InitialVelocity& initial : stage().initialVelocities)
             setVelocity(scene_, model_, initial, now_.state);
-        const bool inMotion = !now_.results.empty() && scene_.stages[now_.results.back().stage].kind == StageKind::Dynamic;
+        const bool inMotion = !now_.results.empty() &&
+                              scene_.stages[now_.results.back().stage].kind == StageKind::Dynamic;
         const StepEnding ending = dynamics().begin(now_.state, inMotion);
         // initial velocities and preload are given, not gained
         now_.state.startEnergy += accountedEnergy(model_, now_.state) - before;
@@ -244,16 +245,16 @@ private:
     /// Makes one dynamic step. Nothing is checked or recorded again while every block sleeps.
     StepEnding advanceInTime() {
         stepBegan_ = now_.time;
-        const bool passed = engine_.passedStep == now_.state.step;
-        const bool slept = passed || isAllAsleep(model_, now_.state);
+        const bool wasStill = engine_.passedStep == now_.state.step;
+        const bool slept = wasStill || isAllAsleep(model_, now_.state);
         StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
-        const bool passes = engine_.passedStep == now_.state.step;
-        if (ending.ending == Ending::Done && !(slept && passes)) ending = checkEnergy(passes);
-        if (!(passed && passes)) findAwake();
+        const bool isStill = engine_.passedStep == now_.state.step;
+        if (ending.ending == Ending::Done && !(slept && isStill)) ending = checkEnergy(isStill);
+        if (!(wasStill && isStill)) findAwake();
         engine_.health.awake += awake_;
         engine_.health.movable += awake_ + asleep_;
         mark(now_.start, now_.state, now_.time, stage().duration);
-        if (!(slept && passes)) lookBack(ending);
+        if (!(slept && isStill)) lookBack(ending);
         keepFrame(false);
         return ending;
     }

@@ -133,7 +133,8 @@ void DynamicStage::drive(State& state) const {
 
 StepEnding DynamicStage::begin(State& state, bool inMotion) {
     state.acceleration.clear();
-    if (!inMotion && !takePreload(engine_, state, loads_, loadsAt_(0.0), settings_.timeStep)) return {Ending::Stopped, "", {}};
+    if (!inMotion && !takePreload(engine_, state, loads_, loadsAt_(0.0), settings_.timeStep))
+        return {Ending::Stopped, "", {}};
     drive(state);
     if (!carriesAccelerations(settings_.scheme)) return {};
     const Eigen::VectorXd first = accelerationsAt(state, 0.0, settings_.damping);
