@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The beginning of a run gives the pace of blocks in contact: of the stage in
-// progress it is continued, of later ones it gives the time of an iteration. A bolt
+// progress it is continued, of later ones it gives the time of an iteration. Static
+// stages in which a load changes are assumed to take as long as those before. A bolt
 // that is pulled fails node by node, most of them early, so that its beginning says
 // little; but the time of the whole run grows with a power of the number of its nodes,
 // so that a run with few of them gives it.
 #include "solver/run/run_forecast.h"
 
 #include "solver/engine/setup/make_model.h"
-#include "solver/run/pilot_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,22 +50,36 @@ Scene withCoarseBolts(Scene scene) {
     return scene;
 }
 
+/// The run of a scene with fewer elements in its bolts.
+struct CoarseRun {
+    PilotRun pilot;
+    double growth = 1.0;  // time of the scene over that of this run
+};
+
+/// \param whole set if the run reached its end. \return false if `stop` became true.
+bool runCoarse(const Scene& scene, const Model& model, const std::atomic<bool>* stop, std::optional<CoarseRun>& whole) {
+    const Scene coarse = withCoarseBolts(scene);
+    std::optional<PilotRun> run = pilotRun(coarse, coarseSeconds, stop);
+    if (!run) return false;
+    if (!run->whole) return true;
+    const bool given = std::any_of(scene.bolts.begin(), scene.bolts.end(),
+                                   [](const Bolt& bolt) { return bolt.divisions.has_value(); });
+    const double growth = std::pow(nodesOf(model) / nodesOf(makeModel(coarse)),
+                                   given ? powerOfGiven : powerOfAutomatic);
+    whole = {std::move(*run), growth};
+    return true;
+}
+
 class Forecaster {
 public:
-    Forecaster(const Scene& scene, const Model& model, const std::vector<PlannedStage>& planned,
-               const std::atomic<bool>* stop)
-        : scene_(scene), model_(model), planned_(planned), stop_(stop) {}
+    Forecaster(const PilotRun& pilot, const std::optional<CoarseRun>& coarse, const std::vector<PlannedStage>& planned)
+        : pilot_(pilot), coarse_(coarse), planned_(planned), passSeconds_(timeOfAPass()) {}
 
-    std::optional<RunForecast> make() {
-        std::optional<PilotRun> pilot = pilotRun(scene_, pilotSeconds, stop_);
-        if (!pilot) return std::nullopt;
-        pilot_ = std::move(*pilot);
-        const bool isStatic = !planned_[pilot_.stages.back().stage].dynamic;
-        if (!pilot_.whole && isStatic && boltsDominate(model_) && !addCoarse()) return std::nullopt;
+    RunForecast make() {
         forecast_.stages.resize(planned_.size());
         forecast_.whole = pilot_.whole;
         forecast_.known = pilot_.seconds;
-        passSeconds_ = timeOfAPass();
+        forecast_.fromCoarse = coarse_.has_value();
         for (const PilotStage& stage : pilot_.stages) addBegun(stage);
         if (!pilot_.whole)
             for (std::size_t i = pilot_.stages.back().stage + 1; i < planned_.size(); ++i) addLater(i);
@@ -74,20 +88,6 @@ public:
     }
 
 private:
-    /// Runs the scene with coarser bolts. \return false if that was stopped.
-    bool addCoarse() {
-        const Scene scene = withCoarseBolts(scene_);
-        const std::optional<PilotRun> run = pilotRun(scene, coarseSeconds, stop_);
-        if (!run) return false;
-        if (!run->whole) return true;
-        coarse_ = *run;
-        const bool given = std::any_of(scene_.bolts.begin(), scene_.bolts.end(),
-                                       [](const Bolt& bolt) { return bolt.divisions.has_value(); });
-        growth_ = std::pow(nodesOf(model_) / nodesOf(makeModel(scene)), given ? powerOfGiven : powerOfAutomatic);
-        forecast_.fromCoarse = true;
-        return true;
-    }
-
     double timeOfAPass() const {
         const PilotStage& last = pilot_.stages.back();
         if (last.latePasses >= 3) return last.lateSeconds / static_cast<double>(last.latePasses);
@@ -98,9 +98,17 @@ private:
 
     /// Time of a stage in the coarse run, at the number of elements of the scene; null if it did not run.
     std::optional<double> coarseTime(int stage) const {
-        for (const PilotStage& one : coarse_.stages)
-            if (one.stage == stage) return growth_ * one.seconds;
+        if (!coarse_) return std::nullopt;
+        for (const PilotStage& one : coarse_->pilot.stages)
+            if (one.stage == stage) return coarse_->growth * one.seconds;
         return std::nullopt;
+    }
+
+    /// Mean time of the earlier static stages in which a load changes; null if there was none.
+    std::optional<double> meanLoadedTime() const {
+        if (loadedStages_.empty()) return std::nullopt;
+        return std::accumulate(loadedStages_.begin(), loadedStages_.end(), 0.0) /
+               static_cast<double>(loadedStages_.size());
     }
 
     void addBegun(const PilotStage& stage) {
@@ -123,6 +131,8 @@ private:
             return rest / planned.duration * planned.passes * passSeconds_;
         }
         if (stage.time >= shownTime) return rest / stage.time * stage.seconds;
+        if (const auto mean = planned.loaded ? meanLoadedTime() : std::nullopt)
+            return std::max(*mean - stage.seconds, stage.seconds);
         forecast_.searching = stage.time == 0.0;
         return std::max(planned.passes - static_cast<double>(stage.passes), static_cast<double>(stage.passes)) *
                passSeconds_;
@@ -134,21 +144,14 @@ private:
         if (const auto whole = coarseTime(static_cast<int>(i))) result.seconds = *whole;
         else if (planned.dynamic) result.seconds = planned.passes * passSeconds_;
         else if (!planned.loaded) result.seconds = std::min(planned.passes, passesAQuietSearch) * passSeconds_;
-        else if (!loadedStages_.empty())
-            result.seconds = std::accumulate(loadedStages_.begin(), loadedStages_.end(), 0.0) /
-                             static_cast<double>(loadedStages_.size());
-        else result.seconds = planned.passes * passSeconds_;
+        else result.seconds = meanLoadedTime().value_or(planned.passes * passSeconds_);
         result.passes = result.seconds / passSeconds_;
     }
 
-    const Scene& scene_;
-    const Model& model_;
+    const PilotRun& pilot_;
+    const std::optional<CoarseRun>& coarse_;
     const std::vector<PlannedStage>& planned_;
-    const std::atomic<bool>* stop_;
-    PilotRun pilot_;
-    PilotRun coarse_;  // empty if there is none
-    double growth_ = 1.0;  // time of the scene over that of the coarse run
-    double passSeconds_ = 0.0;
+    double passSeconds_;
     std::vector<double> loadedStages_;  // times of static stages in which a load changes
     RunForecast forecast_;
 };
@@ -157,7 +160,17 @@ private:
 
 std::optional<RunForecast> forecastRun(const Scene& scene, const Model& model, const std::vector<PlannedStage>& planned,
                                        const std::atomic<bool>* stop) {
-    return Forecaster(scene, model, planned, stop).make();
+    const std::optional<PilotRun> pilot = pilotRun(scene, pilotSeconds, stop);
+    if (!pilot) return std::nullopt;
+    std::optional<CoarseRun> coarse;
+    const bool isStatic = !planned[pilot->stages.back().stage].dynamic;
+    if (!pilot->whole && isStatic && boltsDominate(model) && !runCoarse(scene, model, stop, coarse))
+        return std::nullopt;
+    return Forecaster(*pilot, coarse, planned).make();
+}
+
+RunForecast forecastFrom(const PilotRun& pilot, const std::vector<PlannedStage>& planned) {
+    return Forecaster(pilot, std::nullopt, planned).make();
 }
 
 }  // namespace keyblock

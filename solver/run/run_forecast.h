@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/engine/model/model.h"
+#include "solver/run/pilot_run.h"
 #include "solver/scene/scene.h"
 
 #include <atomic>
@@ -44,5 +45,8 @@ struct RunForecast {
 /// \return nothing if `stop` became true.
 std::optional<RunForecast> forecastRun(const Scene& scene, const Model& model, const std::vector<PlannedStage>& planned,
                                        const std::atomic<bool>* stop);
+
+/// The forecast from the beginning of a run alone.
+RunForecast forecastFrom(const PilotRun& pilot, const std::vector<PlannedStage>& planned);
 
 }  // namespace keyblock
