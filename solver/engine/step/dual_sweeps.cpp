@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/dual_sweeps.h"
 
-#include "solver/engine/step/anderson.h"
 #include "solver/engine/step/phase.h"
 
 #include <algorithm>
@@ -16,6 +15,8 @@ namespace {
 // those that are swept again, every further factorization costs more
 constexpr int mostAtFirst = 36, mostAgain = 72;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
+constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
+constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
 constexpr int mixedSweeps = 6;  // number of sweeps combined by Anderson mixing
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
 constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
@@ -23,7 +24,8 @@ constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used 
 }  // namespace
 
 DualSweeps::DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried)
-    : problem_(problem), rows_(rows), swept_(problem, rows), forces_(swept_.count()), isSwept_(rows.count(), 0) {
+    : problem_(problem), rows_(rows), swept_(problem, rows), forces_(swept_.count()), isSwept_(rows.count(), 0),
+      mixing_(mixedSweeps) {
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         forces_[n] = carried[swept_.linkOf(n)];
         isSwept_[swept_.linkOf(n)] = 1;
@@ -39,19 +41,56 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
     return forces;
 }
 
-void DualSweeps::sweepUntilSettled(StepWork& work) {
-    const int most = std::exchange(again_, true) ? mostAgain : mostAtFirst;
-    swept_.clipAndPlace(forces_);
-    AndersonMixing mixing(mixedSweeps);
-    Eigen::VectorXd changes;
-    for (int made = 1;; ++made) {
-        const SweptLinks::Change sum = swept_.sweep(forces_, changes);
-        ++work.sweeps;
-        if (!(sum.changed > settledChange * settledChange * sum.forces) || made == most) return;
-        if (!mixing.mix(changes, forces_, swept_.placed())) continue;
+/// Makes a sweep from the mixed forces of those before.
+void DualSweeps::sweepOnce(StepWork& work) {
+    if (made_ > 0 && mixing_.mix(changes_, forces_, swept_.placed())) {
         swept_.clipPlaced(forces_);
         ++work.products;
     }
+    last_ = swept_.sweep(forces_, changes_);
+    ++work.sweeps;
+    ++made_;
+}
+
+bool DualSweeps::isSettled() const { return !(last_.changed > settledChange * settledChange * last_.forces); }
+
+/// Estimated difference between the forces that the laws give and the swept forces, relative to these.
+double DualSweeps::mismatch() const {
+    return last_.forces > 0.0 ? swept_.mismatch(changes_) / std::sqrt(last_.forces) : 0.0;
+}
+
+/// Sweeps until the mismatch is no larger than `most`. Gives up if the last sweeps show that it would take many more.
+std::optional<Eigen::VectorXd> DualSweeps::sweepDownTo(double most, StepWork& work) {
+    double before = 0.0;
+    for (int further = 0;; ++further) {
+        const double now = mismatch();
+        if (now <= most) return swept_.displacement();
+        const int left = std::min(mostFurther - further, most_ - made_);
+        const double decrease = further > 0 ? now / before : quickDecrease;
+        if (left <= 0 || !(now * std::pow(decrease, left) <= most)) return std::nullopt;
+        before = now;
+        sweepOnce(work);
+    }
+}
+
+std::optional<Eigen::VectorXd> DualSweeps::sweep(const Trial& from, double tolerance, StepWork& work) {
+    const PhaseScope phase(Phase::Sweep);
+    holdTheRest(from);
+    swept_.clipAndPlace(forces_);
+    mixing_ = AndersonMixing(mixedSweeps);
+    made_ = 0;
+    most_ = std::exchange(again_, true) ? mostAgain : mostAtFirst;
+    do sweepOnce(work);
+    while (!isSettled() && made_ < most_);
+    if (!isSettled() || swept_.hasChains()) return std::nullopt;
+    return sweepDownTo(tolerance, work);
+}
+
+std::optional<Eigen::VectorXd> DualSweeps::sweepOn(double share, StepWork& work) {
+    const PhaseScope phase(Phase::Sweep);
+    const double before = mismatch();
+    if (before == 0.0) return std::nullopt;  // further sweeps change nothing
+    return sweepDownTo(share * before, work);
 }
 
 DualSweeps::Straight DualSweeps::straight(std::size_t n) const {
@@ -112,8 +151,6 @@ void DualSweeps::takeForces(const Eigen::VectorXd& d, StepWork& work) {
 
 std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& matrix, StepWork& work) {
     const PhaseScope phase(Phase::Sweep);
-    holdTheRest(from);
-    sweepUntilSettled(work);
     if (!straighten(matrix, work)) return std::nullopt;
     Eigen::VectorXd net = padded(problem_.load) - bodyProduct(problem_, from.d);
     for (std::size_t i = 0; i < rows_.count(); ++i)

@@ -14,8 +14,13 @@
 // bodies are in equilibrium under the forces at all times. Bolt nodes have too little
 // mass for this method; bolts yield with the tangents of the trial from which the
 // sweeps start.
+//
+// In short time steps inertia is about as stiff as the contacts. The displacement under
+// the swept forces is then the solution, and no matrix needs to be factored (not in
+// scenes with bolts, whose nodes have no swept forces).
 #pragma once
 
+#include "solver/engine/step/anderson.h"
 #include "solver/engine/step/step_matrix.h"
 #include "solver/engine/step/swept_links.h"
 #include "solver/engine/step/trial.h"
@@ -37,10 +42,21 @@ public:
     /// definite.
     bool possible() const { return possible_; }
 
-    /// Sweeps over the contact forces, then solves for the displacement with the contact states (sticking, sliding or
-    /// open) that follow from the forces. The sweeps start from the forces of the previous call, in the first call from
-    /// those passed to the constructor. The friction limits are not updated to the displacement.
+    /// Sweeps over the contact forces until they settle. The sweeps start from the forces of the previous solution, at
+    /// first from those passed to the constructor. The friction limits are not updated to the displacement.
     /// \param from the trial evaluated last; bolt links keep the tangents that they have in it.
+    /// \param tolerance unbalanced force over the acting forces that a displacement may leave.
+    /// \return the displacement under the swept forces (padded) if it may leave as little; otherwise nothing.
+    std::optional<Eigen::VectorXd> sweep(const Trial& from, double tolerance, StepWork& work);
+
+    /// Continues the sweeps. \pre `sweep` has returned a displacement.
+    /// \param share of the last estimate of the unbalanced forces that may remain.
+    /// \return the displacement (padded), or nothing if that takes too many sweeps or none can improve it.
+    std::optional<Eigen::VectorXd> sweepOn(double share, StepWork& work);
+
+    /// Solves for the displacement with the contact states (sticking, sliding or open) that follow from the swept
+    /// forces. \pre `sweep` has been called.
+    /// \param from the trial from which the sweeps started.
     /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 
@@ -53,7 +69,10 @@ private:
         double at(double e) const { return force + tangent * (e - strain); }
     };
 
-    void sweepUntilSettled(StepWork& work);
+    void sweepOnce(StepWork& work);
+    bool isSettled() const;
+    double mismatch() const;
+    std::optional<Eigen::VectorXd> sweepDownTo(double most, StepWork& work);
     void holdTheRest(const Trial& from);
     Straight straight(std::size_t row) const;
     bool straighten(StepMatrix& matrix, StepWork& work);
@@ -67,6 +86,10 @@ private:
     std::vector<double> forces_;  // per swept link, not multiplied by `Law::share` [N]
     std::vector<char> isSwept_;  // per link
     std::vector<Straight> laws_;  // per link, after the last sweep
+    AndersonMixing mixing_;
+    SweptLinks::Change last_;  // in the last sweep
+    Eigen::VectorXd changes_;  // of the forces in the last sweep [N]
+    int made_ = 0, most_ = 0;  // number of sweeps since `sweep` was called, and their maximum
 };
 
 }  // namespace keyblock

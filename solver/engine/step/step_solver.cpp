@@ -26,6 +26,10 @@ constexpr int patience = 20;
 constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 // maximum number of times that sweeps are tried in a step, and that they fail
 constexpr int mostSweeps = 8, mostUseless = 2;
+// Displacements under swept forces that are tried before a factorization, and what further sweeps are to leave of the
+// residual, over the tolerance
+constexpr int mostJudged = 3;
+constexpr double furtherShare = 0.5;
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
@@ -171,12 +175,25 @@ private:
         residualBefore_ = report_.residual;
         ++tries_;
         if (!dual_) dual_.emplace(problem_, rows_, carried_);
+        sweeps_ = false;
+        if (dual_->possible() && sweepsSolve()) return;
         std::optional<Eigen::VectorXd> d;
-        if (dual_->possible()) d = dual_->solve(trial_, matrix_, report_.work);
+        if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix_, report_.work);
         if (d) judge(trialAt(problem_, rows_, std::move(*d)));
         else tries_ = mostSweeps;
-        sweeps_ = false;
         swept_ = d.has_value();
+    }
+
+    /// Sweeps, and continues while the displacement under the swept forces may solve the step.
+    bool sweepsSolve() {
+        std::optional<Eigen::VectorXd> d = dual_->sweep(trial_, settings_.tolerance, report_.work);
+        for (int judged = 1; d; ++judged) {
+            judge(trialAt(problem_, rows_, std::move(*d)));
+            if (balance_->within(settings_.tolerance)) return true;
+            if (judged == mostJudged) return false;
+            d = dual_->sweepOn(furtherShare * settings_.tolerance / report_.residual, report_.work);
+        }
+        return false;
     }
 
     /// Continues sweeps that reduce the residual but not enough; undoes those that increase it. If the

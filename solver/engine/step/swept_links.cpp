@@ -199,6 +199,23 @@ void SweptLinks::sweepChains() {
     }
 }
 
+Eigen::VectorXd SweptLinks::displacement() const {
+    Eigen::VectorXd d = driven_;
+    for (int b = 0; b < problem_.blocks; ++b)
+        d.segment<6>(6 * b).noalias() += scales_[b].transpose() * moved_.segment<6>(6 * b);
+    return d;
+}
+
+/// In equilibrium with its own effect on the strain, a force changes by only a part of the difference from its law.
+double SweptLinks::mismatch(const Eigen::VectorXd& changes) const {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const double off = (1.0 + rows_[n].stiffness * rows_[n].compliance) * changes[static_cast<Eigen::Index>(n)];
+        sum += off * off;
+    }
+    return std::sqrt(sum);
+}
+
 void SweptLinks::clip(std::vector<double>& forces) {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const Range within = range(n, forces);

@@ -52,6 +52,12 @@ public:
     /// \pre the blocks are in equilibrium under the forces passed in.
     void clipPlaced(std::vector<double>& forces);
 
+    /// True if bolt nodes are condensed, so that the swept links do not determine all displacements.
+    bool hasChains() const { return nodes_.count() > 0; }
+
+    /// Displacements of the blocks under the current forces (padded). \pre no bolt nodes are condensed.
+    Eigen::VectorXd displacement() const;
+
     /// Scaled displacements Lᵀ·d of the blocks under the current forces (padded). They depend linearly on the forces.
     /// The scaled forces of the chains of bolt nodes follow them.
     Eigen::VectorXd& placed() { return moved_; }
@@ -62,6 +68,11 @@ public:
     /// \param changes receives the force changes, one per swept link.
     /// \pre the blocks are in equilibrium under the forces passed in.
     Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
+
+    /// Estimate of how much the forces that the laws give at the current displacements differ from the swept forces:
+    /// the square root of the sum of squares [N].
+    /// \param changes the force changes of the last sweep.
+    double mismatch(const Eigen::VectorXd& changes) const;
 
     /// Friction limit of swept link n if the swept links have the forces `forces` [N].
     double limit(std::size_t n, const std::vector<double>& forces) const;

@@ -70,6 +70,7 @@ void expectToFindTheStates(const Model& model) {
         Trial trial = trialAt(problem, rows, Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding));
         const double before = Balance(problem, rows, trial, 0, 1e-4).residual();
         for (int round = 0; round < 3; ++round) {
+            sweeps.sweep(trial, 1e-4, work);
             const auto d = sweeps.solve(trial, matrix, work);
             ASSERT_TRUE(d.has_value());
             trial = trialAt(problem, rows, *d);
