@@ -204,9 +204,7 @@ private:
 
     StepEnding standStill() {
         now_.state.energy.damped += kineticEnergy(model_, now_.state);
-        for (BlockMotion& block : now_.state.blocks) block.velocity.setZero();
-        for (BoltMotion& bolt : now_.state.bolts)
-            for (BoltNode& node : bolt.nodes) node.velocity.setZero();
+        stopMotion(now_.state);
         return {};
     }
 

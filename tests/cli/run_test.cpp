@@ -217,7 +217,7 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
 
 TEST_F(Runs, TheBarShowsTheTimeLeft) {
     putEndlessScene();
-    Program program({"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=300", "output.every=1"},
+    Program program({"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=3e5", "output.every=1e3"},
                     folder());
     const auto isEstimated = [&] { return program.errors().find(" left  ") != std::string::npos; };
     EXPECT_TRUE(waitFor(isEstimated)) << program.errors();

@@ -79,6 +79,8 @@ struct Slot {
     int block = -1;
     Point p2{0.0, 0.0}, p3{0.0, 0.0};  // end points relative to the centroid, in the block's initial frame [m]
     double s2 = 0.0, s3 = 0.0;  // distances of the end points along the bolt [m]
+
+    bool operator==(const Slot&) const = default;
 };
 
 using Interval = std::pair<double, double>;  // start and end along the unstrained bolt [m]
@@ -108,6 +110,8 @@ struct BoltElement {
 /// Ratios of dynamic to static strength for the parts of a bolt.
 struct StrengthFactors {
     double bond = 1.0, steel = 1.0, plate = 1.0;
+
+    bool operator==(const StrengthFactors&) const = default;
 };
 
 struct PlateModel {

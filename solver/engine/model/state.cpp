@@ -23,6 +23,12 @@ Eigen::Matrix2d deformation(const BlockMotion& m) { return rotation(m.angle) * s
 
 }  // namespace
 
+void stopMotion(State& state) {
+    for (BlockMotion& block : state.blocks) block.velocity.setZero();
+    for (BoltMotion& bolt : state.bolts)
+        for (BoltNode& node : bolt.nodes) node.velocity.setZero();
+}
+
 void placeCorners(const BlockModel& block, BlockMotion& motion) {
     const Eigen::Matrix2d f = deformation(motion);
     motion.corners.resize(block.shape.size());

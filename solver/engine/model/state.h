@@ -139,6 +139,8 @@ struct BoltMotion {
     double plasticEnergy = 0.0, bondEnergy = 0.0;  // dissipated since the start [J]
     bool lost = false;
     bool absent = false;  // not installed yet, or removed
+
+    bool operator==(const BoltMotion&) const = default;
 };
 
 /// Energies summed step by step [J]. The energy balance is evaluated when they are reported.
@@ -167,6 +169,9 @@ struct State {
     double startEnergy = 0.0;  // energy stored before anything moved [J]
     long step = 0;
 };
+
+/// Sets all velocities to zero.
+void stopMotion(State& state);
 
 /// True if the bolt is present and not lost.
 inline bool acts(const BoltMotion& bolt) { return !bolt.lost && !bolt.absent; }

@@ -18,6 +18,7 @@ struct DynamicPace {
     int afterCut = 0;  // steps of equal length after the next cut, before a longer one is tried
     int equalSteps = 0;  // number of them still to make
     double last = 0.0;  // length of the last step [s]; 0: none yet
+    bool still = false;  // the last step changed nothing, so that under the same loads the next one changes nothing
 };
 
 /// Shortens a time step that did not converge, to the length of the last step if that was shorter and not much shorter.

@@ -106,6 +106,28 @@ bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     return false;
 }
 
+/// Largest speed of any point of a block, estimated from above, and of any bolt node [m/s].
+double largestSpeed(const Model& model, const State& state) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const Vector6& v = state.blocks[i].velocity;
+        largest = std::max(largest, v.head<2>().norm() + v.tail<4>().cwiseAbs().sum() * model.blocks[i].size);
+    }
+    for (const BoltMotion& bolt : state.bolts)
+        for (const BoltNode& node : bolt.nodes) largest = std::max(largest, node.velocity.head<2>().norm());
+    return largest;
+}
+
+/// Ends a step in which nothing moves at rest if the momentum at its start was negligible, too. Otherwise the velocities
+/// would change their signs in every further step.
+/// \param weight per unit mass [m/s2].
+void comeToRest(const Model& model, double weight, double dt, State& state) {
+    const double negligible = 0.5 * balancedInMotion * model.numerics.tolerance * weight * dt;
+    if (!state.acceleration.empty() || largestSpeed(model, state) > negligible) return;
+    state.energy.damped += kineticEnergy(model, state);
+    stopMotion(state);
+}
+
 /// Length of the next step to try in the search for a limit [s].
 double nextTime(LimitSearch& search) {
     const double next = search.next(), low = search.high() - search.width();
@@ -263,6 +285,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, moveOf(options), total);
         accountStep(model, trial.state, problem, external, d, options);
         moveOn(model, trial.state, problem, d, options);
+        if (d.isZero(0.0)) comeToRest(model, weightPerMass(model, at), dt, trial.state);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
         const bool knowsPath = std::exchange(options.path, nullptr) != nullptr;

@@ -25,7 +25,7 @@ struct Engine {
     Health health;  // solver diagnostics of the run
     StepHealth newest;  // solver diagnostics of the latest step
     TakenStep taken;  // latest accepted dynamic step, for output only
-    long passedStep = -1;  // number of the latest dynamic step in which every block slept
+    long passedStep = -1;  // number of the latest dynamic step that was passed because nothing could move
     std::function<bool()> stopAsked;  // called in every iteration; true stops the search
     std::function<void()> passed;  // called after every solved step to report progress
 

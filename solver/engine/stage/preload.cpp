@@ -91,12 +91,6 @@ void keepForces(const Model& model, State& state, const StepProblem& problem, co
             model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
 }
 
-void setAtRest(State& state) {
-    for (BlockMotion& block : state.blocks) block.velocity.setZero();
-    for (BoltMotion& bolt : state.bolts)
-        for (BoltNode& node : bolt.nodes) node.velocity.setZero();
-}
-
 void restoreVelocities(const State& from, State& to) {
     for (std::size_t i = 0; i < from.blocks.size(); ++i) to.blocks[i].velocity = from.blocks[i].velocity;
     for (std::size_t b = 0; b < from.bolts.size(); ++b)
@@ -189,7 +183,7 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
     const double dt = isFresh(engine.model, state) ? restStep(engine.model, state) : 0.0;
     if (dt == 0.0) return true;
     State trial = state;
-    setAtRest(trial);
+    stopMotion(trial);
     PreloadSearch search(engine, trial, loads, first);
     if (!search.isFreeOfForces(dt) && !search.find(dt, timeStep)) return false;
     restoreVelocities(state, trial);

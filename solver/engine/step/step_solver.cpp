@@ -17,6 +17,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double balanced = 1e-9;  // a start with a residual up to this needs no solution
 constexpr double stall = 0.2;  // length below which a line search has met wrong contact states
 constexpr double astray = 2.0;  // times the previous residual: a step that leaves more has met wrong contact states
 // times the previous residual: a full step that leaves no more, or converges, needs no line search
@@ -93,8 +94,8 @@ public:
     }
 
 private:
-    /// Starts from zero displacement or from `guess`, whichever has the smaller residual: vibration from step to step
-    /// does not show where a block will come to rest.
+    /// Starts from zero displacement if that needs no solution, otherwise from zero or from `guess`, whichever has the
+    /// smaller residual: vibration from step to step does not show where a block will come to rest.
     void begin(Eigen::VectorXd guess) {
         if (settings_.fromGuess) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
@@ -102,7 +103,7 @@ private:
             if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
-        if (!same) takeBetter(std::move(guess));
+        if (!same && !balance_->within(startTolerance())) takeBetter(std::move(guess));
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
 
@@ -159,9 +160,16 @@ private:
     bool over() {
         report_.stopped = stopAsked_ && stopAsked_();
         const bool unsolved = report_.passes == 0 && !helped_;
-        const double tolerance = unsolved ? std::min(quietStart, settings_.tolerance) : settings_.tolerance;
-        report_.converged = !report_.stopped && balance_->within(tolerance);
+        report_.converged = !report_.stopped && balance_->within(unsolved ? startTolerance() : settings_.tolerance);
         return report_.stopped || report_.converged || report_.singular || !std::isfinite(report_.residual);
+    }
+
+    /// Residual up to which a start needs no solution. In motion, a tenth of the tolerance: a solution would leave more,
+    /// because contacts that hardly carry anything change their states. In a search for equilibrium, blocks that creep
+    /// are not at rest, however slow they are.
+    double startTolerance() const {
+        const double least = std::min(balanced, settings_.tolerance);
+        return problem_.moves ? std::max(least, balancedInMotion * settings_.tolerance) : least;
     }
 
     void iterate() {

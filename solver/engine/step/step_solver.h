@@ -53,7 +53,8 @@ private:
     StepMatrix matrix_;
 };
 
-inline constexpr double quietStart = 1e-9;  // a start with a residual up to this needs no solution
+// of the tolerance: a start of a step in motion with a residual up to this needs no solution
+inline constexpr double balancedInMotion = 0.1;
 
 /// Index of the body to which an unknown belongs.
 int bodyOf(const StepProblem& problem, int unknown);

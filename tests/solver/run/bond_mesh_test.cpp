@@ -57,11 +57,11 @@ TEST(BondMesh, ElasticCablesOpenAsTheClosedFormSays) {
 
 /// One side of a joint that has debonded over c: at the front strength/λ·tanh(λ(ℓ − c)), along c the residual (Li
 /// and Stillborg 1999).
-struct Side {
+struct DebondedSide {
     double slip = 0.0, pull = 0.0;
 };
 
-Side debonded(const BondedBar& bar, double embedded, double c) {
+DebondedSide debonded(const BondedBar& bar, double embedded, double c) {
     const double front = bar.peak / bar.lambda() * std::tanh(bar.lambda() * (embedded - c));
     return {bar.peak / bar.bond + (front * c + 0.5 * bar.residual * c * c) / bar.axial, front + bar.residual * c};
 }

@@ -53,6 +53,15 @@ TEST(Checkpoints, ChosenIncrementsGoOn) {
 
 TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(1.5), 4); }
 
+/// Three boxes at rest that may not fall asleep.
+TEST(Checkpoints, ADynamicRunInWhichNothingChangesGoesOn) {
+    Scene scene = sliding(8.0);
+    scene.analysis.gravity = {0.0, -9.81};
+    scene.analysis.modelEverything = true;
+    scene.stages.insert(scene.stages.begin(), test::settle());
+    expectTheSameFromEveryCheckpoint(scene, 4);
+}
+
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
 
 /// Rock that goes, bolts that come and go, joints that dilate, sides that let waves out are there again as they were.
