@@ -169,7 +169,7 @@ TEST(ModelSummary, CountsTheIterationsOfAShortRun) {
 /// The band is at most half to double, and a run that takes longer than the measurement is estimated as longer.
 TEST(ModelSummary, EstimatesATimeWithABandOfHalfToDouble) {
     Scene scene = test::boxOnBase(20.0, 30.0);
-    scene.stages = {test::settle(), test::dynamic(1000.0, 1e-3)};
+    scene.stages = {test::settle(), test::dynamic(10000.0, 1e-3)};
     const CostEstimate estimate = modelSummaryOf(scene).estimate;
     EXPECT_GT(estimate.seconds, 1.0);
     EXPECT_DOUBLE_EQ(estimate.secondsMost, 2.0 * estimate.seconds);
