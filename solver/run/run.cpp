@@ -225,8 +225,10 @@ private:
         if (!isStatic()) {
             return advanceInTime();
         }
-        const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
-                                             staticSettings(scene_, stage()), *this, now_.within);
+        StaticSettings settings = staticSettings(scene_, stage());
+        settings.motionFollows = increment() + 1 == times_.size() && motionFollows();
+        const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(), settings,
+                                             *this, now_.within);
         now_.time = between(loadsBefore(), loadsAfter(), now_.within.done).time;
         if (ending.ending == Ending::Done && !now_.within.releasing) noteExtremes(now_.state, now_.time);
         if (ending.ending != Ending::Done || now_.within.releasing) return ending;
@@ -240,7 +242,7 @@ private:
         return ending;
     }
 
-    /// Makes one dynamic step. Nothing is checked or recorded again while every block sleeps.
+    /// Makes one dynamic step. Nothing is checked or recorded again while every block sleeps or nothing changes.
     StepEnding advanceInTime() {
         stepBegan_ = now_.time;
         const bool wasStill = engine_.passedStep == now_.state.step;
@@ -291,6 +293,13 @@ private:
         failed.message += ": use a 'time_step' of " + rounded(0.5 * dynamicSettings(scene_, stage()).timeStep) +
                           " s or less";
         return failed;
+    }
+
+    /// True if a dynamic stage follows equilibrium in this stage.
+    bool motionFollows() const {
+        const auto next = std::find_if(scene_.stages.begin() + now_.stage + 1, scene_.stages.end(),
+                                       [](const Stage& stage) { return !stage.followsCollapse; });
+        return next != scene_.stages.end() && next->kind == StageKind::Dynamic;
     }
 
     /// Begins the next increment. Automatic lengths are kept until the load changes direction.

@@ -44,6 +44,8 @@ constexpr double solvedNode = 1e-6;  // of the forces at a bolt node; they gover
 constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no improvement
 constexpr double stillFalling = 0.1;  // of the previous residual: such a fast decrease continues below the tolerance
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
+constexpr double leftBeforeMotion = 0.1;  // of the residual allowed on bodies: what may remain if motion follows
+constexpr int mostBeforeMotion = 3;  // maximum number of further pseudo-steps for that
 constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
 // of the smaller block's size: a corner that enters no deeper than this through another edge than estimated is corrected
@@ -145,8 +147,10 @@ private:
         report_ = solveStep(engine_, problem, state_, d, needs());
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
+        if (improves_ && !report_.converged) return Outcome::Repeat;  // and accept the state, which is balanced
         if (!report_.converged && !goodEnough) return isEstimated() ? dropEstimate() : shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
+        if (improves_ && (moves.overLimit > 1.0 || entersElsewhere(d, moves.largest))) return Outcome::Repeat;
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
         if (!driven_ && settled_ && !jumped_ && isJump(problem, d)) {  // the path up to the jump is accepted first
@@ -294,6 +298,7 @@ private:
         expected_.resize(0);
         settled_ = report_.converged;
         ++taken_;
+        if (std::exchange(improves_, false)) ++beforeMotion_;
         moveBodies(model_, state_, d);
         moved_ += d;
         whole_ += d;
@@ -393,6 +398,7 @@ private:
     }
 
     bool balanced(StepProblem& problem, long step) {
+        const bool failed = std::exchange(improves_, false);  // to leave less in the same state
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
@@ -407,8 +413,16 @@ private:
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         if (unrest_.beyond > 1.0) return false;
         if (residual_ <= wellBalanced) return true;
+        if (failed) return true;
+        improves_ = mayImprove() && unrest_.beyond > leftBeforeMotion;
+        if (improves_) return false;
         const bool easy = dt_ < longest_ && report_.passes <= easyPasses;
         return residual_ > stillFalling * before && !(easy && unrest_.beyond > easilyBalanced);  // not worth another step
+    }
+
+    /// True if a balanced state may be improved because motion follows.
+    bool mayImprove() const {
+        return settings_.motionFollows && beforeMotion_ < mostBeforeMotion && !locked_ && mayBeRough();
     }
 
     /// True if the residual is due to round-off of the coordinates: it no longer decreases, and nothing drifts.
@@ -534,6 +548,8 @@ private:
     Eigen::VectorXd path_;  // of the step that is repeated
     int paths_ = 0;  // number of its repetitions
     int taken_ = 0;
+    bool improves_ = false;  // the state is balanced, and the pseudo-step is to leave less before motion follows
+    int beforeMotion_ = 0;  // number of such pseudo-steps
     SolveReport report_;  // of the last step
     double lastLargest_ = 0.0;  // largest displacement in the last pseudo-step [m]
     double lastMove_ = std::numeric_limits<double>::max();  // the same, in the last one without locked friction [m]

@@ -24,6 +24,7 @@ struct StaticSettings {
     bool chosen = false;  // increment lengths are chosen automatically
     // where the blocks were before they began to fall; null: none has been seen to fall
     const std::vector<Point>* fallsFrom = nullptr;
+    bool motionFollows = false;  // reduce the unbalanced forces further, so that blocks start at rest
     bool followsFalls = true;  // follow falling blocks until they have moved by their size, not only until they fall
 };
 

@@ -95,6 +95,7 @@ private:
 
     StepEnding equilibrium(State& state, const LoadPath& path, StaticSettings settings, Eigen::VectorXd* moved) {
         if (progress_.moving()) settings.fallsFrom = &progress_.fallsFrom;
+        settings.motionFollows = settings.motionFollows && isSameLoad(path.at, b_);
         settings.maxSteps = std::min(settings.maxSteps, settings_.maxSteps - progress_.solves);
         const long before = engine_.health.steps;
         StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings, moved);
