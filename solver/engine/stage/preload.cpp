@@ -5,6 +5,7 @@
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/balance.h"
 #include "solver/engine/step/step_forces.h"
 
 #include <algorithm>
@@ -120,6 +121,15 @@ public:
         return true;
     }
 
+    /// True if the forces that contacts carry balance so well that the first time step from rest needs no solution.
+    bool isBalanced(double timeStep) {
+        begin({Inertia::Shi, timeStep});
+        const LinkRows rows(problem_);
+        const double tolerance = engine_.model.numerics.tolerance;
+        const Trial still = trialAt(problem_, rows, padded(d_));
+        return Balance(problem_, rows, still, 0, tolerance).within(balancedInMotion * tolerance);
+    }
+
     /// Finds the forces in several rounds at rest, or if one of them does not converge, in the first time step.
     /// \return false if the run was stopped.
     bool find(double dt, double timeStep) {
@@ -185,6 +195,7 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
     State trial = state;
     stopMotion(trial);
     PreloadSearch search(engine, trial, loads, first);
+    if (search.isBalanced(timeStep)) return true;
     if (!search.isFreeOfForces(dt) && !search.find(dt, timeStep)) return false;
     restoreVelocities(state, trial);
     state = std::move(trial);
