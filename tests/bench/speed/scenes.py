@@ -3,6 +3,7 @@
 """Scenes whose steps are timed, each as a dictionary in the scene format.
 
 wall    running bond of 1 m x 0.5 m bricks on a fixed slab, settled, then at rest
+shaken  the same under a body acceleration of up to 0.1 g along it at 5 Hz, so that every step is solved although nothing slides
 tilt    the same with 20 degrees of friction and a body acceleration of g sin 25 degrees along it: it slides and topples
 tunnel  cells of 1 m between a fixed floor and fixed walls; those within 4 m of the middle are removed at once
 drift   the sample drift-unbolted, and with more rock around it as drift-large: the key block falls while the other blocks are at rest
@@ -67,6 +68,13 @@ def wall(columns, rows, steps=100, bolted=False):
     if bolted:
         parts["bolts"] = rebars(columns, rows)
     return scene(f"wall of {columns} x {rows}", [stage], **parts)
+
+
+def shaken(columns, rows, steps=100):
+    """Nothing slides, but loads change in every step, so that every step is solved."""
+    wall_shaken = wall(columns, rows, steps)
+    wall_shaken["stages"][-1]["body_acceleration"] = {"axis": "x", "sine": {"amplitude": 0.1 * GRAVITY, "frequency": 5}}
+    return wall_shaken
 
 
 def tilt(columns, rows, steps=100, time_step=1e-3, bolted=False):
@@ -179,6 +187,7 @@ def all_scenes(large):
     """Pairs of a name and a scene; `large` adds those of 5,000 blocks and more."""
     yield "wall-settled", wall(40, 26, steps=10000)
     yield "wall-awake", awake(wall(40, 26))
+    yield "wall-shaken", awake(shaken(40, 26))
     yield "tilt", tilt(20, 13)
     yield "tilt", tilt(40, 26)
     yield "tilt-fine", tilt(40, 26, time_step=1e-4)
