@@ -106,6 +106,20 @@ bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     return false;
 }
 
+/// Acceleration that counts as none in one step [m/s2].
+double negligibleAcceleration(const Model& model, const LoadPoint& at) {
+    return balancedInMotion * model.numerics.tolerance * weightPerMass(model, at);
+}
+
+/// Per block: unbalanced force that counts as none in one step [N].
+std::vector<double> negligibleForces(const Model& model, const LoadPoint& at) {
+    const double acceleration = negligibleAcceleration(model, at);
+    std::vector<double> forces;
+    forces.reserve(model.blocks.size());
+    for (const BlockModel& block : model.blocks) forces.push_back(acceleration * block.mass);
+    return forces;
+}
+
 /// Largest speed of any point of a block, estimated from above, and of any bolt node [m/s].
 double largestSpeed(const Model& model, const State& state) {
     double largest = 0.0;
@@ -120,9 +134,8 @@ double largestSpeed(const Model& model, const State& state) {
 
 /// Ends a step in which nothing moves at rest if the momentum at its start was negligible, too. Otherwise the velocities
 /// would change their signs in every further step.
-/// \param weight per unit mass [m/s2].
-void comeToRest(const Model& model, double weight, double dt, State& state) {
-    const double negligible = 0.5 * balancedInMotion * model.numerics.tolerance * weight * dt;
+/// \param negligible speed that counts as none [m/s].
+void comeToRest(const Model& model, double negligible, State& state) {
     if (!state.acceleration.empty() || largestSpeed(model, state) > negligible) return;
     state.energy.damped += kineticEnergy(model, state);
     stopMotion(state);
@@ -244,6 +257,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
                                              &trial.state.energy.released, &corners, paths == 0});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
+        problem.startForce = negligibleForces(model, at);
         Eigen::VectorXd d = start;
         const SolveReport report = solveStep(
             engine_, problem, trial.state, d,
@@ -285,7 +299,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, moveOf(options), total);
         accountStep(model, trial.state, problem, external, d, options);
         moveOn(model, trial.state, problem, d, options);
-        if (d.isZero(0.0)) comeToRest(model, weightPerMass(model, at), dt, trial.state);
+        if (d.isZero(0.0)) comeToRest(model, 0.5 * dt * negligibleAcceleration(model, at), trial.state);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
         const bool knowsPath = std::exchange(options.path, nullptr) != nullptr;

@@ -118,6 +118,14 @@ double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[b
 
 bool Balance::within(double tolerance) const { return residual_ <= tolerance && beyond_ <= 1.0; }
 
+bool Balance::withinForces(const std::vector<double>& most) const {
+    for (int block = 0; block < static_cast<int>(most.size()); ++block) {
+        const double left = bodyResidual(*problem_, trial_->net, block);
+        if (left > std::max(most[block], noiseOf(block)) && !isDriven(*problem_, block)) return false;
+    }
+    return true;
+}
+
 double Balance::slack(int body, double tolerance) const {
     const std::size_t at = body;
     const double passes = tolerance * forces_[at];

@@ -34,6 +34,9 @@ public:
     /// for it (`StepProblem::mayLeave`), apart from round-off.
     bool within(double tolerance) const;
 
+    /// True if the unbalanced force on no block exceeds `most` [N], one value per block, apart from round-off.
+    bool withinForces(const std::vector<double>& most) const;
+
     /// Bodies whose unbalanced force, relative to the forces acting on it, is more than `share` of that of the worst body,
     /// in ascending order; without those balanced to within round-off.
     std::vector<int> worstBodies(double share) const;

@@ -64,6 +64,8 @@ struct StepProblem {
     double externalForce = 0.0;  // sum of the magnitudes of the external forces [N]
     bool moves = false;  // true for a dynamic step
     std::vector<double> ownForce;  // per body: magnitude of its loads plus a small minimum [N]
+    // per block, in a dynamic step: unbalanced force at zero displacement that needs no solution [N]; empty: round-off
+    std::vector<double> startForce;
     std::vector<double> mayLeave;  // per body: allowed unbalanced force [N]; empty: relative tolerance only
 
     int unknowns() const { return 6 * blocks + 3 * nodes; }

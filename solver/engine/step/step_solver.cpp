@@ -27,10 +27,8 @@ constexpr int patience = 20;
 constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 // maximum number of times that sweeps are tried in a step, and that they fail
 constexpr int mostSweeps = 8, mostUseless = 2;
-// Displacements under swept forces that are tried before a factorization, and what further sweeps are to leave of the
-// residual, over the tolerance
-constexpr int mostJudged = 3;
-constexpr double furtherShare = 0.5;
+constexpr int mostJudged = 3;  // maximum number of displacements under swept forces that are tried in succession
+constexpr double furtherShare = 0.5;  // of the tolerance: residual that further sweeps should leave
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
@@ -103,7 +101,7 @@ private:
             if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
-        if (!same && !balance_->within(startTolerance())) takeBetter(std::move(guess));
+        if (!same && !startsBalanced()) takeBetter(std::move(guess));
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
 
@@ -160,16 +158,17 @@ private:
     bool over() {
         report_.stopped = stopAsked_ && stopAsked_();
         const bool unsolved = report_.passes == 0 && !helped_;
-        report_.converged = !report_.stopped && balance_->within(unsolved ? startTolerance() : settings_.tolerance);
+        report_.converged = !report_.stopped && (unsolved ? startsBalanced() : balance_->within(settings_.tolerance));
         return report_.stopped || report_.converged || report_.singular || !std::isfinite(report_.residual);
     }
 
-    /// Residual up to which a start needs no solution. In motion, a tenth of the tolerance: a solution would leave more,
-    /// because contacts that hardly carry anything change their states. In a search for equilibrium, blocks that creep
-    /// are not at rest, however slow they are.
-    double startTolerance() const {
-        const double least = std::min(balanced, settings_.tolerance);
-        return problem_.moves ? std::max(least, balancedInMotion * settings_.tolerance) : least;
+    /// True if the start needs no solution. In motion, a tenth of the tolerance and of the force that moves a block
+    /// noticeably may remain: contacts that hardly carry anything would change their states in a solution. In a search
+    /// for equilibrium, blocks that creep are not at rest, however slow they are.
+    bool startsBalanced() const {
+        if (balance_->within(std::min(balanced, settings_.tolerance))) return true;
+        return !problem_.startForce.empty() && balance_->within(balancedInMotion * settings_.tolerance) &&
+               balance_->withinForces(problem_.startForce);
     }
 
     void iterate() {
@@ -187,9 +186,9 @@ private:
         if (dual_->possible() && sweepsSolve()) return;
         std::optional<Eigen::VectorXd> d;
         if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix_, report_.work);
-        if (d) judge(trialAt(problem_, rows_, std::move(*d)));
-        else tries_ = mostSweeps;
         swept_ = d.has_value();
+        if (!d) tries_ = mostSweeps;
+        judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
     }
 
     /// Sweeps, and continues while the displacement under the swept forces may solve the step.
@@ -199,7 +198,8 @@ private:
             judge(trialAt(problem_, rows_, std::move(*d)));
             if (balance_->within(settings_.tolerance)) return true;
             if (judged == mostJudged) return false;
-            d = dual_->sweepOn(furtherShare * settings_.tolerance / report_.residual, report_.work);
+            const double share = std::min(1.0, settings_.tolerance / report_.residual);
+            d = dual_->sweepOn(furtherShare * share, report_.work);
         }
         return false;
     }

@@ -36,7 +36,7 @@ struct SolveReport {
 class StepSolver {
 public:
     /// Solves the step. Iteration starts from `d` or from zero displacement, whichever has the smaller residual once
-    /// the prescribed values have been inserted. On return, `d` is the solution, and `problem` contains the friction
+    /// the prescribed values have been inserted, or from zero displacement if that needs no solution. On return, `d` is the solution, and `problem` contains the friction
     /// limits for this displacement.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
@@ -53,7 +53,7 @@ private:
     StepMatrix matrix_;
 };
 
-// of the tolerance: a start of a step in motion with a residual up to this needs no solution
+/// Fraction of the tolerance up to which the start of a dynamic step may be unbalanced without needing a solution.
 inline constexpr double balancedInMotion = 0.1;
 
 /// Index of the body to which an unknown belongs.

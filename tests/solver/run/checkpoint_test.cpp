@@ -55,11 +55,13 @@ TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(
 
 /// Three boxes at rest that may not fall asleep.
 TEST(Checkpoints, ADynamicRunInWhichNothingChangesGoesOn) {
-    Scene scene = sliding(8.0);
+    Scene scene = sliding(10.0);
     scene.analysis.gravity = {0.0, -9.81};
+    scene.analysis.tolerance = 1e-4;
     scene.analysis.modelEverything = true;
     scene.stages.insert(scene.stages.begin(), test::settle());
-    expectTheSameFromEveryCheckpoint(scene, 4);
+    EXPECT_TRUE(checkpointOf(runKept(scene).kept.back())->pace.still);
+    expectTheSameFromEveryCheckpoint(scene, 3);
 }
 
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }

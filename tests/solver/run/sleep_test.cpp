@@ -126,6 +126,24 @@ TEST(Sleep, ALoadMovesABrickThatStoodStillWhileEverythingIsModelled) {
     EXPECT_LE(results.stages.back().health.steps, 220);
 }
 
+/// The push exceeds friction by 2.5e-4 of the weight, far less than what the tolerance allows of the forces on the wall
+/// next to the brick.
+TEST(Sleep, ABrickThatStartsSlowlyIsNotKeptAtRest) {
+    for (const bool everything : {true, false}) {
+        Scene scene = wall(10, 10, 1.0);
+        scene.blocks.front() = boxBlock("slab", {-1, -1}, {20, 0});
+        scene.blocks.push_back(boxBlock("pushed", {15, 0}, {16, 0.5}));
+        scene.analysis.tolerance = 1e-4;
+        scene.analysis.modelEverything = everything;
+        const double excess = 2.5e-4 * gravity, weight = 1350.0 * gravity;  // [m/s2], [N]
+        const Point push(std::tan(std::numbers::pi / 6.0) * weight + 1350.0 * excess, 0.0);
+        scene.stages.back().loads = {forceAt({15.5, 0.01}, push, {})};
+        const Results results = runInMemory(scene);
+        const double slid = results.frames.back().blocks.back().displacement.x();
+        EXPECT_NEAR(slid, 0.5 * excess, 0.02 * 0.5 * excess) << everything;
+    }
+}
+
 TEST(Sleep, AZeroToleranceKeepsEverythingAwake) {
     Scene scene = wall(3, 3, 0.1);
     scene.analysis.sleepTolerance = 0.0;
