@@ -147,7 +147,7 @@ Times are CPU times and depend on the machine. *F* is the time of one numeric fa
 
 {table}
 
-*awake* is the share of the blocks that moved with the steps on average ([Sleep](theory.md#sleep)); in scenes called *awake* nothing may sleep. *cuts* are steps that were repeated with a shorter time step.
+*awake* is the share of the blocks that moved with the steps on average ([Sleep](theory.md#sleep)); in *wall-awake*, *wall-shaken*, *wall-bolts* and *drift-large-awake* nothing may sleep; in the first and the third, steps soon change nothing and are not made again. *cuts* are steps that were repeated with a shorter time step.
 
 ## Where the time goes
 
