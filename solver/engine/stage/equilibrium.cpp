@@ -44,8 +44,9 @@ constexpr double solvedNode = 1e-6;  // of the forces at a bolt node; they gover
 constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no improvement
 constexpr double stillFalling = 0.1;  // of the previous residual: such a fast decrease continues below the tolerance
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
-constexpr double leftBeforeMotion = 0.1;  // of the residual allowed on bodies: what may remain if motion follows
-constexpr int mostBeforeMotion = 3;  // maximum number of further pseudo-steps for that
+constexpr double leftBeforeMotion = 0.03;  // of the residual allowed on bodies: what may remain if motion follows
+constexpr double solvedBeforeMotion = 0.01;  // the same for what the further pseudo-steps may leave
+constexpr int mostBeforeMotion = 5;  // maximum number of further pseudo-steps for that
 constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
 // of the smaller block's size: a corner that enters no deeper than this through another edge than estimated is corrected
@@ -147,7 +148,8 @@ private:
         report_ = solveStep(engine_, problem, state_, d, needs());
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
-        if (improves_ && !report_.converged) return Outcome::Repeat;  // and accept the state, which is balanced
+        const bool within = report_.converged || (goodEnough && report_.residual <= tolerance_);
+        if (improves_ && !within) return Outcome::Repeat;  // and accept the state, which is balanced
         if (!report_.converged && !goodEnough) return isEstimated() ? dropEstimate() : shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (improves_ && (moves.overLimit > 1.0 || entersElsewhere(d, moves.largest))) return Outcome::Repeat;
@@ -468,7 +470,8 @@ private:
     std::vector<double> mayLeave() const {
         std::vector<double> left;
         const double unrest = usesMultipliers(model_) ? 0.0 : std::min(1.0, unrest_.share);  // they need exact forces
-        const double share = std::max(solvedShare * settings_.body, solvedUnrest * unrest);
+        const double solved = improves_ ? solvedBeforeMotion : solvedShare;
+        const double share = std::max(solved * settings_.body, solvedUnrest * unrest);
         for (std::size_t i = 0; i < rest_.own.size(); ++i)
             left.push_back((i < model_.blocks.size() ? share : solvedNode) * rest_.own[i]);
         return left;
