@@ -23,7 +23,7 @@ Eigen::Matrix2d deformation(const BlockMotion& m) { return rotation(m.angle) * s
 
 }  // namespace
 
-bool isSameButForBooks(const State& a, const State& b) {
+bool isSameConfiguration(const State& a, const State& b) {
     return a.blocks == b.blocks && a.contacts == b.contacts && a.bolts == b.bolts && a.supports == b.supports &&
            a.glue == b.glue && a.openings == b.openings && a.acceleration == b.acceleration;
 }

@@ -170,9 +170,9 @@ struct State {
     long step = 0;
 };
 
-/// True if two states differ at most in the number of their step and in the rounding errors of their energies. While
-/// blocks may fall asleep, `BlockRest` differs from step to step.
-bool isSameButForBooks(const State& a, const State& b);
+/// True if blocks, bolts, contacts, supports and all forces are the same in two states. The number of the step and the
+/// energies are not compared. While blocks may fall asleep, `BlockRest` differs from step to step.
+bool isSameConfiguration(const State& a, const State& b);
 
 /// Sets all velocities to zero.
 void stopMotion(State& state);

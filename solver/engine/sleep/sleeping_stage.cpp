@@ -73,7 +73,7 @@ void addLoads(const BlockForces& loads, PartInUse& use) {
 
 /// True if a step left everything as it was, so that a step under the same loads would do the same.
 bool changedNothing(const TakenStep& taken, const State& now) {
-    return taken.d.isZero(0.0) && isSameButForBooks(taken.before, now);
+    return taken.d.isZero(0.0) && isSameConfiguration(taken.before, now);
 }
 
 }  // namespace

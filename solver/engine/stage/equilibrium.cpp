@@ -149,7 +149,7 @@ private:
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
         const bool within = report_.converged || (goodEnough && report_.residual <= tolerance_);
-        if (improves_ && !within) return Outcome::Repeat;  // and accept the state, which is balanced
+        if (improves_ && !within) return Outcome::Repeat;  // the present state is balanced and will be accepted
         if (!report_.converged && !goodEnough) return isEstimated() ? dropEstimate() : shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (improves_ && (moves.overLimit > 1.0 || entersElsewhere(d, moves.largest))) return Outcome::Repeat;
@@ -400,7 +400,7 @@ private:
     }
 
     bool balanced(StepProblem& problem, long step) {
-        const bool failed = std::exchange(improves_, false);  // to leave less in the same state
+        const bool failed = std::exchange(improves_, false);  // the last attempt to improve this balanced state
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
