@@ -237,15 +237,6 @@ void SweptLinks::clipAndPlace(std::vector<double>& forces) {
         if (forces[n] != 0.0) move(rows_[n], forces[n]);
 }
 
-void SweptLinks::clipPlaced(std::vector<double>& forces) {
-    for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const Range within = range(n, forces);
-        const double force = clipped(forces[n], within.low, within.high);
-        if (force != forces[n]) move(rows_[n], force - forces[n]);
-        forces[n] = force;
-    }
-}
-
 /// Force of a link that would have the strain `free` without its own force.
 double SweptLinks::bentForce(const Row& row, double free, double force) {
     const Link& link = problem_.links[row.link];

@@ -47,11 +47,6 @@ public:
     /// Like `clip`, but then also moves the blocks to equilibrium under the limited forces.
     void clipAndPlace(std::vector<double>& forces);
 
-    /// Like `clip`, but also moves the blocks by the displacements due to the force changes, so that they remain in
-    /// equilibrium.
-    /// \pre the blocks are in equilibrium under the forces passed in.
-    void clipPlaced(std::vector<double>& forces);
-
     /// True if bolt nodes are condensed, so that the swept links do not determine all displacements.
     bool hasChains() const { return nodes_.count() > 0; }
 
