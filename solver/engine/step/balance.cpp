@@ -57,10 +57,9 @@ void Balance::addUpForces() {
     forces_ = problem_->ownForce;
     for (std::size_t i = 0; i < rows_->count(); ++i) {
         if (trial_->laws[i].force == 0.0) continue;
-        const Link& link = problem_->links[i];
-        const double force = link.law.share * std::abs(trial_->laws[i].force);
-        forces_[link.a] += rows_->pullOnA(i) * force;
-        if (link.b >= 0) forces_[link.b] += rows_->pullOnB(i) * force;
+        const double force = rows_->law(i).share * std::abs(trial_->laws[i].force);
+        forces_[rows_->bodyA(i)] += rows_->pullOnA(i) * force;
+        if (rows_->bodyB(i) >= 0) forces_[rows_->bodyB(i)] += rows_->pullOnB(i) * force;
     }
 }
 

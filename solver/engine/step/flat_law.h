@@ -17,7 +17,7 @@ namespace keyblock {
 struct FlatBounds {
     double low = 0.0, high = 0.0;  // [N]; `high`: constant part if `follows`
     double factor = 0.0;  // if `follows`: increase of the limit per unit of compression of the normal link
-    bool follows = false;  // the limit depends on the force of another link
+    bool follows = false;  // the limit depends on the force of the previous link
     bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
     /// Friction limit [N] if the corresponding normal link has the force `from` [N], compression negative.
@@ -26,6 +26,8 @@ struct FlatBounds {
 
 struct FlatLaw {
     double stiffness = 0.0, offset = 0.0;
+    double beyond = 0.0;  // tangent beyond the bounds [N/m]
+    double share = 1.0;  // `Law::share`
     FlatBounds bounds;
 };
 
@@ -33,6 +35,18 @@ struct FlatLaw {
 inline double clipped(double x, double low, double high) {
     const double above = x < low ? low : x;
     return high < above ? high : above;
+}
+
+/// Force of a law that is not bent, if its bounds do not follow another link.
+inline double forceOf(const FlatLaw& law, double strain) {
+    return clipped(law.stiffness * (strain - law.offset), law.bounds.low, law.bounds.high);
+}
+
+/// Force and tangent of a law that is not bent if its force is limited to the range from `low` to `high`.
+inline LawResponse respond(const FlatLaw& law, double strain, double low, double high) {
+    const double trial = law.stiffness * (strain - law.offset);
+    const bool inside = !(trial < low) && !(high < trial);
+    return {clipped(trial, low, high), inside ? law.stiffness : law.beyond};
 }
 
 /// Compact form of a link's law with its current limit.
@@ -43,17 +57,20 @@ inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     if (law.kind == LawKind::Gap) bounds.high = 0.0;
     if (law.kind == LawKind::Capped) bounds.low = -law.limit, bounds.high = law.limit;
     if (law.kind == LawKind::Constant) bounds.low = bounds.high = law.limit;
+    const double beyond = law.kind == LawKind::Capped ? law.leastTangent * law.stiffness : 0.0;
     const bool weighted = ofContact(link.kind) && problem.contactShare != 1.0;
     bounds.bent = weighted || law.kind == LawKind::Curve || ruleOf(problem, link).rule != ForceRule::End;
-    return {law.stiffness, law.offset, bounds};
+    return {law.kind == LawKind::Constant ? 0.0 : law.stiffness, law.offset, beyond, law.share, bounds};
 }
 
-/// Compact form of the law of the link `pair.limited`, whose limit follows the force of the link `pair.from`.
+/// Compact form of the law of the link `pair.limited`, whose limit follows the force of the link `pair.from`. It is
+/// bent unless that is the previous link.
 inline FlatLaw flatLaw(const StepProblem& problem, const LimitPair& pair) {
     const Link& link = problem.links[pair.limited];
     FlatLaw flat = flatLaw(problem, link);
     FlatBounds& bounds = flat.bounds;
-    bounds.follows = link.law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
+    bounds.follows = link.law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push &&
+                     pair.from + 1 == pair.limited;
     bounds.bent = bounds.bent || !bounds.follows;
     bounds.factor = pair.factor;
     bounds.high = pair.base;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/line_search.h"
 
-#include "solver/engine/step/flat_law.h"
 #include "solver/engine/step/friction_limits.h"
 
 #include <cassert>
@@ -18,40 +17,31 @@ constexpr double flatEnough = 1e-3;  // fraction of the slope at the start
 /// Scalar product of the net force with a direction, times −1: the slope of the energy for given friction limits.
 class LineSlope {
 public:
-    LineSlope(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+    /// \param coupled true if the friction limits follow the forces along the line.
+    LineSlope(StepProblem& problem, const LinkRows& rows, const Trial& from, const Eigen::VectorXd& direction,
               const std::vector<double>& rates, bool coupled)
-        : problem_(problem) {
+        : problem_(problem), rows_(rows), strains_(from.strains), rates_(rates), coupled_(coupled),
+          forces_(rates.size()) {
         takeBodies(from.d, direction);
-        takeLinks(from.strains, rates, coupled);
+        if (coupled) findBentPairs();
     }
 
     double at(double length) {
         double slope = constant_ + length * rate_;
-        for (std::size_t n = 0; n < rows_.size(); ++n) {
-            const Row& row = rows_[n];
-            forces_[n] = row.from < 0 ? forceOf(row, length, row.law.bounds.low, row.law.bounds.high)
-                                      : limitedForce(row, length, forces_[row.from]);
-            slope += row.share * forces_[n] * row.rate;
+        for (std::size_t i = 0; i < rates_.size(); ++i) {
+            forces_[i] = forceOf(i, strains_[i] + length * rates_[i]);
+            slope += rows_.law(i).share * forces_[i] * rates_[i];
         }
         return slope;
     }
 
     /// Sets the friction limits of the problem to those of the last length.
     void keepLimits() {
-        for (const int n : followers_) {
-            const Row& row = rows_[n];
-            setLimit(problem_, problem_.limitPairs[row.pair], forces_[row.from]);
-        }
+        if (!coupled_) return;
+        for (const LimitPair& pair : problem_.limitPairs) setLimit(problem_, pair, forces_[pair.from]);
     }
 
 private:
-    struct Row {
-        double strain = 0.0, rate = 0.0, share = 1.0;
-        FlatLaw law;
-        int link = -1;
-        int from = -1, pair = -1;  // earlier row whose force sets the limit, and row of limitPairs; −1: fixed limit
-    };
-
     void takeBodies(const Eigen::VectorXd& d, const Eigen::VectorXd& direction) {
         constant_ = -problem_.load.dot(direction.head(problem_.unknowns()));
         for (int i = 0; i < problem_.blocks; ++i) {
@@ -68,40 +58,35 @@ private:
         }
     }
 
-    void takeLinks(const std::vector<double>& strains, const std::vector<double>& rates, bool coupled) {
-        rows_.reserve(rates.size());
-        for (std::size_t i = 0; i < rates.size(); ++i) {
-            const Link& link = problem_.links[i];
-            rows_.push_back({strains[i], rates[i], link.law.share, flatLaw(problem_, link), static_cast<int>(i), -1, -1});
-        }
-        forces_.resize(rows_.size());
-        for (std::size_t p = 0; coupled && p < problem_.limitPairs.size(); ++p) {
-            const LimitPair& pair = problem_.limitPairs[p];
+    void findBentPairs() {
+        for (const LimitPair& pair : problem_.limitPairs) {
             assert(pair.from < pair.limited);
-            Row& row = rows_[pair.limited];
-            row.law = flatLaw(problem_, pair);
-            row.from = pair.from;
-            row.pair = static_cast<int>(p);
-            followers_.push_back(pair.limited);
+            if (!rows_.law(pair.limited).bounds.bent) continue;
+            bentPairs_.resize(rates_.size(), nullptr);
+            bentPairs_[pair.limited] = &pair;
         }
     }
 
-    double forceOf(const Row& row, double length, double low, double high) const {
-        const double strain = row.strain + length * row.rate;
-        if (row.law.bounds.bent) return respond(problem_, problem_.links[row.link], strain).force;
-        return clipped(row.law.stiffness * (strain - row.law.offset), low, high);
+    double forceOf(std::size_t i, double strain) {
+        const FlatLaw& law = rows_.law(i);
+        if (law.bounds.bent) return bentForce(i, strain);
+        if (!law.bounds.follows) return keyblock::forceOf(law, strain);
+        const double most = coupled_ ? law.bounds.limit(forces_[i - 1]) : problem_.links[i].law.limit;
+        return clipped(law.stiffness * (strain - law.offset), -most, most);
     }
 
-    double limitedForce(const Row& row, double length, double from) {
-        if (row.law.bounds.bent) setLimit(problem_, problem_.limitPairs[row.pair], from);
-        const double most = row.law.bounds.limit(from);
-        return forceOf(row, length, -most, most);
+    double bentForce(std::size_t i, double strain) {
+        const LimitPair* pair = bentPairs_.empty() ? nullptr : bentPairs_[i];
+        if (pair) setLimit(problem_, *pair, forces_[pair->from]);
+        return respond(problem_, problem_.links[i], strain).force;
     }
 
     StepProblem& problem_;
-    std::vector<Row> rows_;  // one per link
-    std::vector<int> followers_;  // rows in the order of limitPairs
-    std::vector<double> forces_;  // not multiplied by `Law::share`
+    const LinkRows& rows_;
+    const std::vector<double>&strains_, &rates_;
+    bool coupled_;
+    std::vector<const LimitPair*> bentPairs_;  // per link; null: its limit is fixed or follows the previous link
+    std::vector<double> forces_;  // per link, not multiplied by `Law::share`
     double constant_ = 0.0, rate_ = 0.0;
 };
 
@@ -126,17 +111,17 @@ double rootOf(LineSlope& slope, double high) {
 
 }  // namespace
 
-double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+double lineSearch(StepProblem& problem, const LinkRows& rows, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled) {
-    LineSlope slope(problem, from, direction, rates, coupled);
+    LineSlope slope(problem, rows, from, direction, rates, coupled);
     const double length = rootOf(slope, 1.0);
     slope.keepLimits();
     return length;
 }
 
-std::optional<double> longLineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
-                                     const std::vector<double>& rates) {
-    LineSlope slope(problem, from, direction, rates, true);
+std::optional<double> longLineSearch(StepProblem& problem, const LinkRows& rows, const Trial& from,
+                                     const Eigen::VectorXd& direction, const std::vector<double>& rates) {
+    LineSlope slope(problem, rows, from, direction, rates, true);
     double longest = 1.0;
     while (slope.at(longest) < 0.0) {
         longest *= 2.0;

@@ -18,12 +18,12 @@ namespace keyblock {
 /// \param rates the strain increment of each link due to `direction`.
 /// \param coupled true to let friction limits follow their normal forces along the direction; on return, the limits
 /// are those for the last step length tried. If false, the limits stay fixed.
-double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+double lineSearch(StepProblem& problem, const LinkRows& rows, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled);
 
 /// The same, with limits that follow, for a direction along which the resistance decreases at first. Step lengths may
 /// reach a few thousand; empty if the energy still decreases there.
-std::optional<double> longLineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
-                                     const std::vector<double>& rates);
+std::optional<double> longLineSearch(StepProblem& problem, const LinkRows& rows, const Trial& from,
+                                     const Eigen::VectorXd& direction, const std::vector<double>& rates);
 
 }  // namespace keyblock

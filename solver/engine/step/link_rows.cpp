@@ -14,8 +14,7 @@ constexpr std::size_t linksATask = 4096;
 }  // namespace
 
 LinkRows::LinkRows(const StepProblem& problem)
-    : gradients_(12 * problem.links.size(), 0.0), start_(problem.links.size()),
-      first_(problem.links.size()), pulls_(problem.links.size()) {
+    : gradients_(12 * problem.links.size(), 0.0), start_(problem.links.size()), ends_(problem.links.size()) {
     const Eigen::VectorXd weight = padded(problem.weight);
     const auto pull = [&](const double* g, int first) {
         double sum = 0.0;
@@ -25,10 +24,16 @@ LinkRows::LinkRows(const StepProblem& problem)
     for (std::size_t i = 0; i < count(); ++i) {
         const Link& link = problem.links[i];
         start_[i] = link.strain + link.shift;
-        first_[i] = {problem.first(link.a), link.b >= 0 ? problem.first(link.b) : problem.unknowns()};
+        const int firstA = problem.first(link.a), firstB = link.b >= 0 ? problem.first(link.b) : problem.unknowns();
         for (int k = 0; k < problem.width(link.a); ++k) gradients_[12 * i + k] = link.ga[k];
         for (int k = 0; link.b >= 0 && k < problem.width(link.b); ++k) gradients_[12 * i + 6 + k] = link.gb[k];
-        pulls_[i] = {pull(gradient(i), first_[i].a), pull(gradient(i) + 6, first_[i].b)};
+        ends_[i] = {firstA, firstB, link.a, link.b, pull(gradient(i), firstA), pull(gradient(i) + 6, firstB)};
+    }
+    laws_.reserve(count());
+    for (const Link& link : problem.links) laws_.push_back(flatLaw(problem, link));
+    for (const LimitPair& pair : problem.limitPairs) {
+        FlatBounds& bounds = (laws_[pair.limited] = flatLaw(problem, pair)).bounds;
+        bounds.bent = bounds.bent || laws_[pair.from].bounds.bent;
     }
 }
 

@@ -235,7 +235,7 @@ private:
         if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance))
             return adaptFirmness(1.0);
         setLimits(problem_, limits);
-        const double length = lineSearch(problem_, from_, direction.displacement, rates, direction.coupled);
+        const double length = lineSearch(problem_, rows_, from_, direction.displacement, rates, direction.coupled);
         if (length < 1.0) go(length);
         adaptFirmness(length);
         double best = length, least = report_.residual;
@@ -267,7 +267,7 @@ private:
         ++report_.work.products;
         const Trial from = trial_;
         const std::vector<double> limits = limitsOf(problem_);
-        const std::optional<double> length = longLineSearch(problem_, from, down, rates);
+        const std::optional<double> length = longLineSearch(problem_, rows_, from, down, rates);
         if (length) goAlong(from, down, rates, *length);
         else setLimits(problem_, limits);
         return length.has_value();

@@ -93,8 +93,7 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     row.firstB = problem_.links[link].b >= 0 ? links_.firstOfB(link) : 6 * problem_.blocks;
     row.start = links_.start(link) + links_.rate(link, driven_.data());
     scaleGradient(row);
-    const FlatLaw law = pair < 0 ? flatLaw(problem_, problem_.links[link])
-                                 : flatLaw(problem_, problem_.limitPairs[pair]);
+    const FlatLaw& law = links_.law(link);
     row.stiffness = law.stiffness;
     row.offset = law.offset;
     row.gain = row.stiffness / (1.0 + row.stiffness * row.compliance);

@@ -27,18 +27,32 @@ void takeBodies(const StepProblem& problem, Trial& trial) {
     }
 }
 
-/// Evaluates the laws and the net forces at the current strains.
-void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
+/// Evaluates the laws at the current strains, and sets the friction limits to match.
+void evaluateLaws(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     trial.laws.resize(rows.count());
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
-    forEach(rows.count(), lawsATask, respondAt);
+    forEach(rows.count(), lawsATask, [&](std::size_t i) {
+        const FlatLaw& law = rows.law(i);
+        if (law.bounds.bent) return respondAt(i);
+        double low = law.bounds.low, high = law.bounds.high;
+        if (law.bounds.follows) {
+            high = problem.links[i].law.limit = law.bounds.limit(forceOf(rows.law(i - 1), trial.strains[i - 1]));
+            low = -high;
+        }
+        trial.laws[i] = respond(law, trial.strains[i], low, high);
+    });
     for (const LimitPair& pair : problem.limitPairs) {
+        if (!rows.law(pair.limited).bounds.bent) continue;
         setLimit(problem, pair, trial.laws[pair.from].force);
         respondAt(static_cast<std::size_t>(pair.limited));
     }
+}
+
+void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
+    evaluateLaws(problem, rows, trial);
     takeBodies(problem, trial);
     for (std::size_t i = 0; i < rows.count(); ++i)
-        if (const double force = problem.links[i].law.share * trial.laws[i].force; force != 0.0)
+        if (const double force = rows.law(i).share * trial.laws[i].force; force != 0.0)
             rows.add(i, -force, trial.net.data());
 }
 
