@@ -95,13 +95,21 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
         return true;
     };
     auto hint = memory_.closed.begin();
+    auto known = memory_.slipped.begin();
+    const auto isNew = [&](const Pair& pair) {  // contacts are sorted, so `known` mostly moves on by one
+        if (known != memory_.slipped.begin() && !(*std::prev(known) < pair)) known = memory_.slipped.lower_bound(pair);
+        while (known != memory_.slipped.end() && *known < pair) ++known;
+        return known == memory_.slipped.end() || *known != pair;
+    };
     for (const Contact& c : state.contacts) {
         if ((rests(c.blockA) && rests(c.blockB)) || !isClosed(model_, c)) continue;
         const Pair pair = pairOf(model_, c);
         if (isFirst(pair)) hint = std::next(memory_.closed.insert_or_assign(hint, pair, c));
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
-        if (slides && memory_.slipped.insert(pair).second) events.push_back(jointEvent(EventKind::JointSlip, c));
+        if (!slides || !isNew(pair)) continue;
+        known = memory_.slipped.insert(known, pair);
+        events.push_back(jointEvent(EventKind::JointSlip, c));
     }
     std::erase_if(memory_.closed, [&](const auto& entry) {
         const auto& [pair, contact] = entry;
