@@ -5,6 +5,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -45,9 +46,10 @@ bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner
     if (!inner.empty() && inner[before] && inner[corner]) return false;
     if (!inner.empty() && inner[before]) back = -on;
     else if (!inner.empty() && inner[corner]) on = -back;
-    for (const Point& away : {back, on})
-        if (edge.outward.dot(away) < -angleSlack * away.norm()) return false;
-    return true;
+    return std::ranges::none_of(std::array{back, on}, [&](const Point& away) {
+        const double out = edge.outward.dot(away);
+        return out < 0.0 && out < -angleSlack * away.norm();
+    });
 }
 
 /// True if each edge lies on the outer side of the other, like the sides of a notch.
@@ -193,14 +195,9 @@ private:
     double over_;
 };
 
-Contact contactOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
-    Contact contact;
-    contact.blockA = a, contact.corner = corner, contact.blockB = b;
-    contact.edge = search.model.blocks[b].turns[faced.turn];
-    contact.gap = faced.gap;
-    contact.lockPlace = faced.along / edgeOf(search.blocks[b].corners, contact.edge).length;
-    contact.position = search.blocks[a].corners[corner];
-    return contact;
+Candidate candidateOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
+    const int edge = search.model.blocks[b].turns[faced.turn];
+    return {a, corner, b, edge, faced.gap, faced.along / edgeLength(search.blocks[b].corners, edge)};
 }
 
 }  // namespace
@@ -227,32 +224,33 @@ std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotio
 }
 
 Standings::Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts)
-    : first_(blocks.size() + 1, 0) {
-    const auto each = [&](const auto& visit) {
-        for (const Contact& c : contacts) {
-            if (c.normalForce <= 0.0 && !c.bonded) continue;
-            const std::vector<int>& turns = model.blocks[c.blockB].turns;
-            const auto start = std::lower_bound(turns.begin(), turns.end(), c.edge);
-            visit(c, start + 1 >= turns.end() ? turns.front() : *(start + 1));
-        }
-    };
-    each([&](const Contact& c, int) { first_[c.blockA + 1] += 1, first_[c.blockB + 1] += 2; });
+    : blocks_(blocks), first_(blocks.size() + 1, 0) {
+    const auto supports = [](const Contact& c) { return c.normalForce > 0.0 || c.bonded; };
+    for (const Contact& c : contacts)
+        if (supports(c)) first_[c.blockA + 1] += 1, first_[c.blockB + 1] += 2;
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     entries_.resize(first_.back());
     std::vector<std::size_t> next = first_;
-    each([&](const Contact& c, int end) {
-        const Point normal = edgeOf(blocks[c.blockB].corners, c.edge).outward;
-        entries_[next[c.blockA]++] = {c.corner, normal};
-        entries_[next[c.blockB]++] = {c.edge, -normal};
-        entries_[next[c.blockB]++] = {end, -normal};
-    });
+    for (const Contact& c : contacts) {
+        if (!supports(c)) continue;
+        const std::vector<int>& turns = model.blocks[c.blockB].turns;
+        const auto start = std::lower_bound(turns.begin(), turns.end(), c.edge);
+        const int end = start + 1 >= turns.end() ? turns.front() : *(start + 1);
+        entries_[next[c.blockA]++] = {c.corner, c.blockB, c.edge};
+        for (const int corner : {c.edge, end}) entries_[next[c.blockB]++] = {corner, c.blockB, c.edge};
+    }
 }
 
 bool Standings::holdsUp(int block, int corner, const Point& normal) const {
     return std::any_of(entries_.begin() + static_cast<std::ptrdiff_t>(first_[block]),
                        entries_.begin() + static_cast<std::ptrdiff_t>(first_[block + 1]), [&](const Entry& e) {
-        return e.corner == corner && e.normal.dot(normal) > 0.0 && std::abs(cross(e.normal, normal)) <= angleSlack;
-    });
+                           if (e.corner != corner) return false;
+                           const double sign = e.faceOf == block
+                                                   ? -1.0
+                                                   : 1.0;  // the face of the block itself, or one that supports it
+                           const Point outward = sign * edgeOf(blocks_[e.faceOf].corners, e.edge).outward;
+                           return outward.dot(normal) > 0.0 && std::abs(cross(outward, normal)) <= angleSlack;
+                       });
 }
 
 double CandidateSearch::slack(int a, int b) const {
@@ -268,7 +266,7 @@ Box CandidateSearch::reachOf(int a, int b) const {
     return grown(outlines[b].box, rounding * (2.0 * (slack(a, b) + margin) + moves));
 }
 
-bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
+bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Candidate>& found) const {
     bool byPath = false;
     const FacedEdges faced = facedEdges(*this, a, corner, b, byPath);
     const Entrance entrance(*this, a, corner, b);
@@ -276,7 +274,7 @@ bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& 
         const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
             return other.turn != one.turn && !faceEachOther(one.edge, other.edge) && entrance.by(other, one);
         });
-        if (!beaten && !entrance.grazes(one)) found.push_back(contactOf(*this, a, corner, b, one));
+        if (!beaten && !entrance.grazes(one)) found.push_back(candidateOf(*this, a, corner, b, one));
         const double fromEnd = std::min(std::abs(one.along), std::abs(one.edge.length - one.along));
         byPath = byPath || fromEnd <= slack(a, b);
     }

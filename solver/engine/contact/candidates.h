@@ -38,9 +38,17 @@ struct Outline {
 
 std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotion>& blocks);
 
+/// A corner of block A in front of an edge of block B, without a history.
+struct Candidate {
+    int blockA = -1, corner = -1, blockB = -1, edge = -1;
+    double gap = 0.0;  // [m]
+    double place = 0.0;  // position of the corner along the edge [0 … 1]
+};
+
 /// Supported corners: for each contact that is compressed or bonded, its corner and both ends of its edge.
 class Standings {
 public:
+    /// \param blocks must outlive the object and must not change.
     Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
 
     /// True if the corner is supported by a face whose outward normal is `normal` to within 3°.
@@ -49,9 +57,10 @@ public:
 private:
     struct Entry {
         int corner = -1;
-        Point normal{0.0, 0.0};
+        int faceOf = -1, edge = -1;  // the edge of the contact and its block
     };
 
+    const std::vector<BlockMotion>& blocks_;
     std::vector<std::size_t> first_;  // per block: its first entry; then the number of entries
     std::vector<Entry> entries_;
 };
@@ -72,9 +81,9 @@ struct CandidateSearch {
     /// The box outside of which no corner of block A can be in contact with block B.
     Box reachOf(int a, int b) const;
 
-    /// Adds the contacts of corner `corner` of block A with the edges of block B through which it would enter.
+    /// Adds corner `corner` of block A with each edge of block B through which it would enter.
     /// \return true if the result could be different for another path with relative displacements up to the margin.
-    bool addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
+    bool addCorner(int a, int corner, int b, std::vector<Candidate>& found) const;
 };
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.
@@ -85,6 +94,7 @@ struct ContactPlace {
     ContactPlace(int blockA, int cornerOfA, int blockB, int edgeOfB)
         : pair(of(std::min(blockA, blockB), std::max(blockA, blockB))), corner(of(blockA, cornerOfA)), edge(edgeOfB) {}
     explicit ContactPlace(const Contact& c) : ContactPlace(c.blockA, c.corner, c.blockB, c.edge) {}
+    explicit ContactPlace(const Candidate& c) : ContactPlace(c.blockA, c.corner, c.blockB, c.edge) {}
 
     /// Combines two non-negative numbers into one sort key; the first number takes precedence.
     static std::uint64_t of(int first, int second) {
@@ -99,9 +109,9 @@ inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlac
 /// The contact in a sorted list with this corner and edge; null if there is none.
 const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& place);
 
-/// The contact in a sorted list that has the same corner and edge as `contact`; null if there is none.
-inline const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact) {
-    return contactAt(contacts, ContactPlace(contact));
+/// The contact in a sorted list that has the same corner and edge as a contact or candidate; null if there is none.
+inline const Contact* sameContact(std::span<const Contact> contacts, const auto& place) {
+    return contactAt(contacts, ContactPlace(place));
 }
 
 /// For each pair of blocks of a sorted list, the part of the sorted list `contacts` that is between them.

@@ -193,12 +193,13 @@ double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks,
     return sharedFace(model, blocks, contact).length;
 }
 
-double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
-                   bool first, Contact& contact) {
-    if (const Contact* old = sameContact(before, contact)) {
-        contact = *old;
-        return followLength(model, blocks, contact);
-    }
+Contact newContact(const Model& model, const std::vector<BlockMotion>& blocks, bool first, const Candidate& candidate) {
+    Contact contact;
+    contact.blockA = candidate.blockA, contact.corner = candidate.corner;
+    contact.blockB = candidate.blockB, contact.edge = candidate.edge;
+    contact.gap = candidate.gap;
+    contact.lockPlace = candidate.place;
+    contact.position = blocks[contact.blockA].corners[contact.corner];
     const bool touches = std::abs(contact.gap) <= touching * model.tolerance;
     contact.joint = governingJoint(model, blocks, contact, first && touches);
     contact.opening = openingBetween(model, contact);
@@ -215,7 +216,17 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, s
         // found with an overlap: it starts without force, otherwise it would add energy
         contact.gapOffset = contact.gap;
     }
-    return 0.0;
+    return contact;
+}
+
+Contact contactOf(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
+                  bool first, const Candidate& candidate, double& released) {
+    if (const Contact* old = sameContact(before, candidate)) {
+        Contact contact = *old;
+        released += followLength(model, blocks, contact);
+        return contact;
+    }
+    return newContact(model, blocks, first, candidate);
 }
 
 double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,

@@ -6,18 +6,21 @@
 // that a surface divided into several edges behaves as one.
 #pragma once
 
-#include "solver/engine/model/state.h"
+#include "solver/engine/contact/candidates.h"
 
 #include <span>
 #include <vector>
 
 namespace keyblock {
 
-/// Gives a contact its history from `before`, or the initial values of a new contact.
+/// The contact of a candidate that had none before.
 /// \param first true for the original scene, in which touching faces carry no force and joints may be bonded.
-/// \return the decrease in elastic energy [J].
-double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
-                   bool first, Contact& contact);
+Contact newContact(const Model& model, const std::vector<BlockMotion>& blocks, bool first, const Candidate& candidate);
+
+/// The contact of a candidate with its history from `before`; without one, a new contact.
+/// \param released is increased by the decrease in elastic energy [J].
+Contact contactOf(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
+                  bool first, const Candidate& candidate, double& released);
 
 /// Tributary joint length of the contact at the current block positions [m]: half of the length that a face at its
 /// corner shares with the edge; 0 if no such face lies along the edge.

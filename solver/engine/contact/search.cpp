@@ -38,11 +38,11 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     return pairs;
 }
 
-/// Replaces `found` by the candidates of two blocks. \param kept receives the corners and their contacts, unless null.
-void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Contact>& found,
+/// Replaces `found` by the candidates of two blocks. \param kept receives the corners and their candidates, unless null.
+void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
                     FoundCorners::Batch* kept) {
     found.clear();
-    const std::ptrdiff_t before = kept ? std::ssize(kept->contacts) : 0;
+    const std::ptrdiff_t before = kept ? std::ssize(kept->candidates) : 0;
     if (kept) kept->pairs.push_back({a, b, std::ssize(kept->corners), std::ssize(kept->corners)});
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
@@ -57,7 +57,7 @@ void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Con
             ++kept->pairs.back().end;
         }
     }
-    if (kept) kept->contacts.insert(kept->contacts.end(), found.begin(), found.end());
+    if (kept) kept->candidates.insert(kept->candidates.end(), found.begin(), found.end());
 }
 
 std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch, const FoundCorners::Pair& pair) {
@@ -81,35 +81,35 @@ std::vector<char> movesFar(const Model& model, const std::vector<BlockMotion>& b
 
 /// Finds the candidates of a pair in a batch again for another path. \param isFar true if all their corners have to be
 /// searched, not only those that were found.
-std::vector<Contact> candidatesAgain(const CandidateSearch& search, const FoundCorners::Batch& batch,
-                                     const FoundCorners::Pair& pair, bool isFar) {
-    std::vector<Contact> found;
+std::vector<Candidate> candidatesAgain(const CandidateSearch& search, const FoundCorners::Batch& batch,
+                                       const FoundCorners::Pair& pair, bool isFar) {
+    std::vector<Candidate> found;
     if (isFar) {
         findCandidates(search, pair.a, pair.b, found, nullptr);
         return found;
     }
     for (const FoundCorners::Corner& c : cornersOf(batch, pair)) {
         if (c.byPath) search.addCorner(c.a, c.corner, c.b, found);
-        else found.insert(found.end(), batch.contacts.begin() + c.begin, batch.contacts.begin() + c.end);
+        else found.insert(found.end(), batch.candidates.begin() + c.begin, batch.candidates.begin() + c.end);
     }
     return found;
 }
 
 /// True if two corners are at the same position, each on an edge that ends at the other. Between faces that meet, only
 /// their distance along the faces counts; normal to the faces they may be apart or, in a soft joint, overlap deeply.
-bool sameCorners(const CandidateSearch& search, const Contact& x, const Contact& y) {
+bool sameCorners(const CandidateSearch& search, const Candidate& x, const Candidate& y) {
     if (x.blockA != y.blockB) return false;
     const Point &px = search.blocks[x.blockA].corners[x.corner], &py = search.blocks[y.blockA].corners[y.corner];
     const double near = 2.0 * search.slack(x.blockA, x.blockB);
     if ((px - py).norm() <= near) return true;
     const Edge ofX = edgeOf(search.blocks[x.blockB].corners, x.edge);
-    const Edge ofY = edgeOf(search.blocks[y.blockB].corners, y.edge);
-    const bool meet = ofX.outward.dot(ofY.outward) < 0.0 && std::abs(cross(ofX.along, ofY.along)) <= angleSlack;
     const bool ends = std::abs(ofX.outward.dot(py - ofX.start)) <= near;
-    return meet && ends && std::abs(ofX.along.dot(px - py)) <= near;
+    if (!ends || std::abs(ofX.along.dot(px - py)) > near) return false;
+    const Edge ofY = edgeOf(search.blocks[y.blockB].corners, y.edge);
+    return ofX.outward.dot(ofY.outward) < 0.0 && std::abs(cross(ofX.along, ofY.along)) <= angleSlack;
 }
 
-void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
+void dropDoubles(const CandidateSearch& search, std::vector<Candidate>& found) {
     boost::container::small_vector<char, 16> drop(found.size(), 0);
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = i + 1; j < found.size(); ++j) {
@@ -138,22 +138,22 @@ std::vector<Contact> joined(const std::vector<std::vector<Contact>>& parts) {
 /// Whether a search for another path would find the contacts between two blocks again.
 bool findsTheSame(const CandidateSearch& search, const FoundCorners::Batch& batch, const FoundCorners::Pair& pair,
                   bool isFar) {
-    std::vector<Contact> found = candidatesAgain(search, batch, pair, isFar);
+    std::vector<Candidate> found = candidatesAgain(search, batch, pair, isFar);
     dropDoubles(search, found);
-    std::sort(found.begin(), found.end(), comesBefore);
-    return std::ranges::equal(found, search.before, [](const Contact& x, const Contact& y) {
-        return ContactPlace(x) == ContactPlace(y);
-    });
+    const auto placeOf = [](const auto& contact) { return ContactPlace(contact); };
+    std::ranges::sort(found, {}, placeOf);
+    return std::ranges::equal(found, search.before, {}, placeOf, placeOf);
 }
 
 /// The contacts between two blocks that a search for another path would find. Those in `search.before` are copied.
 std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorners::Batch& batch,
                                 const FoundCorners::Pair& pair, bool isFar) {
-    std::vector<Contact> contacts = candidatesAgain(search, batch, pair, isFar);
-    dropDoubles(search, contacts);
-    for (Contact& contact : contacts) {
-        if (const Contact* old = sameContact(search.before, contact)) contact = *old;
-        else giveHistory(search.model, search.blocks, search.before, false, contact);
+    std::vector<Candidate> found = candidatesAgain(search, batch, pair, isFar);
+    dropDoubles(search, found);
+    std::vector<Contact> contacts;
+    for (const Candidate& candidate : found) {
+        const Contact* old = sameContact(search.before, candidate);
+        contacts.push_back(old ? *old : newContact(search.model, search.blocks, false, candidate));
     }
     return contacts;
 }
@@ -209,15 +209,15 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const std::vector<std::span<const Contact>> beforeOf = contactsOfPairs(before, pairs);
     forEach(batches, 1, [&](std::size_t batch) {
         FoundCorners::Batch* kept = asked.corners ? &asked.corners->batches[batch] : nullptr;
-        std::vector<Contact> found;
+        std::vector<Candidate> found;
         const std::size_t end = std::min(pairs.size(), (batch + 1) * pairsOfBatch);
         for (std::size_t i = batch * pairsOfBatch; i < end; ++i) {
             const std::span<const Contact>& own = beforeOf[i];
             const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
             findCandidates(search, pairs[i].first, pairs[i].second, found, kept);
             dropDoubles(search, found);
-            for (Contact& contact : found) lost[i] += giveHistory(model, blocks, own, asked.first, contact);
-            perBatch[batch].insert(perBatch[batch].end(), found.begin(), found.end());
+            for (const Candidate& one : found)
+                perBatch[batch].push_back(contactOf(model, blocks, own, asked.first, one, lost[i]));
         }
     });
     if (asked.corners) asked.corners->outlines = std::move(outlines);

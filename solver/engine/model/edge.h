@@ -24,6 +24,12 @@ inline Edge edgeBetween(const Point& start, const Point& end) {
     return {start, along, -turnLeft(along), length};
 }
 
+/// Length of edge `index` of an outline [m].
+inline double edgeLength(const std::vector<Point>& corners, int index) {
+    const std::size_t start = index, next = start + 1;
+    return (corners[next < corners.size() ? next : 0] - corners[start]).norm();
+}
+
 /// Edge `index` of an outline, from corner `index` to the next one.
 /// \param corners the corners of the outline, counter-clockwise [m].
 inline Edge edgeOf(const std::vector<Point>& corners, int index) {
