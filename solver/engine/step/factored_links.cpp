@@ -11,6 +11,8 @@ namespace {
 
 constexpr double equalWeight = 1e-9;  // relative difference up to which two weights are equal
 constexpr double sameWeight = 1e-2;  // relative change of weight up to which a link keeps its weight in the factor
+constexpr std::ptrdiff_t farthestAhead =
+    32;  // links that may have ended in succession before a list counts as reordered
 constexpr double sameGradient = 1e-4;  // squared relative change of gradient beyond which a link is replaced
 
 /// Key that identifies a link from step to step. Contacts are identified by their features, because their numbers
@@ -29,13 +31,35 @@ std::uint64_t keyOf(const Link& link) {
     return key;
 }
 
-/// Rows sorted by key; rows with equal keys keep their order.
-std::vector<std::pair<std::uint64_t, int>> byKey(const std::vector<std::uint64_t>& keys) {
-    std::vector<std::pair<std::uint64_t, int>> rows;
-    rows.reserve(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) rows.emplace_back(keys[i], static_cast<int>(i));
-    std::sort(rows.begin(), rows.end());
-    return rows;
+/// Rows with their keys.
+using KeyedRows = std::vector<std::pair<std::uint64_t, int>>;
+
+/// Visits the rows with equal keys in two lists that mostly have the same keys in the same order.
+/// \param visit called with a row of the first list and a row of the second.
+/// \return the other rows of each list, sorted by key.
+template <class Visit>
+std::pair<KeyedRows, KeyedRows> alignRows(const std::vector<std::uint64_t>& before,
+                                          const std::vector<std::uint64_t>& now, const Visit& visit) {
+    std::pair<KeyedRows, KeyedRows> others;
+    auto next = before.begin();
+    const auto leave = [&](auto to) {
+        for (; next != to; ++next) others.first.emplace_back(*next, static_cast<int>(next - before.begin()));
+    };
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const auto end = next + std::min(farthestAhead, before.end() - next);
+        const auto found = std::find(next, end, now[i]);
+        if (found == end) {
+            others.second.emplace_back(now[i], static_cast<int>(i));
+            continue;
+        }
+        leave(found);
+        visit(static_cast<std::size_t>(next - before.begin()), i);
+        ++next;
+    }
+    leave(before.end());
+    std::sort(others.first.begin(), others.first.end());
+    std::sort(others.second.begin(), others.second.end());
+    return others;
 }
 
 FactoredLink asNow(const LinkRows& rows, std::size_t i, double weight) {
@@ -75,8 +99,9 @@ bool FactoredLinks::begin(const StepProblem& problem, const LinkRows& rows) {
 }
 
 void FactoredLinks::matchLinks(std::vector<std::uint64_t> keys) {
-    const auto before = byKey(keys_), now = byKey(keys);
     std::vector<FactoredLink> links(keys.size());
+    const auto take = [&](std::size_t before, std::size_t now) { links[now] = links_[before]; };
+    const auto [before, now] = alignRows(keys_, keys, take);
     auto next = now.begin();
     for (const auto& [key, row] : before) {
         while (next != now.end() && next->first < key) ++next;
