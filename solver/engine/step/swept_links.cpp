@@ -261,7 +261,8 @@ SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorX
         const double force = bounds_[n].bent ? bentForce(row, free, before)
                                              : clipped(row.gain * (free - row.offset), within.low, within.high);
         const double more = force - before;
-        sum.changed += more * more;
+        const double changed = force - clipped(before, within.low, within.high);
+        sum.changed += changed * changed;
         sum.forces += force * force;
         if (more == 0.0) continue;
         forces[n] = force;

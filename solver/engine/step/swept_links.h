@@ -20,7 +20,8 @@ namespace keyblock {
 
 class SweptLinks {
 public:
-    /// Sums over one sweep: of the squared force changes (`changed`) and of the squared forces (`forces`).
+    /// Sums over one sweep: of the squared force changes (`changed`), without those that only bring a force into its
+    /// range, and of the squared forces (`forces`).
     struct Change {
         double changed = 0.0, forces = 0.0;
     };
