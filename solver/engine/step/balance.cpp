@@ -71,14 +71,13 @@ void Balance::addUpNoise() {
     for (std::size_t i = 0; i < rows_->count(); ++i) {
         const LawResponse& r = trial_->laws[i];
         if (r.force == 0.0 && r.tangent == 0.0) continue;
-        const Link& link = problem_->links[i];
         const double* g = rows_->gradient(i);
-        double size = std::abs(link.strain);
+        double size = std::abs(rows_->start(i));
         for (int k = 0; k < 6; ++k) size += std::abs(g[k] * d[rows_->firstOfA(i) + k]);
         for (int k = 0; k < 6; ++k) size += std::abs(g[6 + k] * d[rows_->firstOfB(i) + k]);
-        const double lost = digits * link.law.share * (r.tangent * size + std::abs(r.force));
-        noise_[link.a] += rows_->pullOnA(i) * lost;
-        if (link.b >= 0) noise_[link.b] += rows_->pullOnB(i) * lost;
+        const double lost = digits * rows_->law(i).share * (r.tangent * size + std::abs(r.force));
+        noise_[rows_->bodyA(i)] += rows_->pullOnA(i) * lost;
+        if (rows_->bodyB(i) >= 0) noise_[rows_->bodyB(i)] += rows_->pullOnB(i) * lost;
     }
 }
 

@@ -122,9 +122,8 @@ bool DualSweeps::straighten(StepMatrix& matrix, StepWork& work) {
     const auto factored = [&](double least) {
         std::vector<double> weights(rows_.count());
         for (std::size_t i = 0; i < rows_.count(); ++i) {
-            const Law& law = problem_.links[i].law;
-            laws_[i].tangent = std::max(laws_[i].tangent, least * law.stiffness);
-            weights[i] = law.share * laws_[i].tangent;
+            if (least > 0.0) laws_[i].tangent = std::max(laws_[i].tangent, least * problem_.links[i].law.stiffness);
+            weights[i] = rows_.law(i).share * laws_[i].tangent;
         }
         return matrix.factor(problem_, rows_, weights, work) < 0;
     };
@@ -153,7 +152,7 @@ std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& 
     Eigen::VectorXd net = padded(problem_.load) - bodyProduct(problem_, from.d);
     for (std::size_t i = 0; i < rows_.count(); ++i)
         if (const double force = laws_[i].at(from.strains[i]); force != 0.0)
-            rows_.add(i, -problem_.links[i].law.share * force, net.data());
+            rows_.add(i, -rows_.law(i).share * force, net.data());
     const Eigen::VectorXd d = from.d + matrix.solve(net, work);
     ++work.products;
     takeForces(d, work);

@@ -18,6 +18,7 @@ struct FlatBounds {
     double low = 0.0, high = 0.0;  // [N]; `high`: constant part if `follows`
     double factor = 0.0;  // if `follows`: increase of the limit per unit of compression of the normal link
     bool follows = false;  // the limit depends on the force of the previous link
+    bool yields = false;  // beyond the bounds the force is not constant: evaluate the law itself there
     bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
     /// Friction limit [N] if the corresponding normal link has the force `from` [N], compression negative.
@@ -37,6 +38,13 @@ inline double clipped(double x, double low, double high) {
     return high < above ? high : above;
 }
 
+/// True if the law itself has to be evaluated at this strain.
+inline bool isBentAt(const FlatLaw& law, double strain) {
+    if (!law.bounds.yields) return law.bounds.bent;
+    const double trial = law.stiffness * (strain - law.offset);
+    return law.bounds.bent || trial < law.bounds.low || law.bounds.high < trial;
+}
+
 /// Force of a law that is not bent, if its bounds do not follow another link.
 inline double forceOf(const FlatLaw& law, double strain) {
     return clipped(law.stiffness * (strain - law.offset), law.bounds.low, law.bounds.high);
@@ -53,14 +61,29 @@ inline LawResponse respond(const FlatLaw& law, double strain, double low, double
 inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     const Law& law = link.law;
-    FlatBounds bounds{-unlimited, unlimited};
-    if (law.kind == LawKind::Gap) bounds.high = 0.0;
-    if (law.kind == LawKind::Capped) bounds.low = -law.limit, bounds.high = law.limit;
-    if (law.kind == LawKind::Constant) bounds.low = bounds.high = law.limit;
-    const double beyond = law.kind == LawKind::Capped ? law.leastTangent * law.stiffness : 0.0;
+    FlatLaw flat{law.stiffness, law.offset, 0.0, law.share, {-unlimited, unlimited}};
+    FlatBounds& bounds = flat.bounds;
     const bool weighted = ofContact(link.kind) && problem.contactShare != 1.0;
-    bounds.bent = weighted || law.kind == LawKind::Curve || ruleOf(problem, link).rule != ForceRule::End;
-    return {law.kind == LawKind::Constant ? 0.0 : law.stiffness, law.offset, beyond, law.share, bounds};
+    bounds.bent = weighted || ruleOf(problem, link).rule != ForceRule::End;
+    switch (law.kind) {
+        case LawKind::Linear:
+        case LawKind::Viscous: break;
+        case LawKind::Gap: bounds.high = 0.0; break;
+        case LawKind::Capped:
+            bounds.low = -law.limit, bounds.high = law.limit;
+            flat.beyond = law.leastTangent * law.stiffness;
+            break;
+        case LawKind::Constant:
+            bounds.low = bounds.high = law.limit;
+            flat.stiffness = 0.0;
+            break;
+        case LawKind::Curve:
+            flat.stiffness = law.curve->modulus, flat.offset = law.state.plastic;
+            bounds.high = yieldForce(*law.curve, law.state.accumulated), bounds.low = -bounds.high;
+            bounds.yields = true;
+            break;
+    }
+    return flat;
 }
 
 /// Compact form of the law of the link `pair.limited`, whose limit follows the force of the link `pair.from`. It is

@@ -69,7 +69,7 @@ private:
 
     double forceOf(std::size_t i, double strain) {
         const FlatLaw& law = rows_.law(i);
-        if (law.bounds.bent) return bentForce(i, strain);
+        if (isBentAt(law, strain)) return bentForce(i, strain);
         if (!law.bounds.follows) return keyblock::forceOf(law, strain);
         const double most = coupled_ ? law.bounds.limit(forces_[i - 1]) : problem_.links[i].law.limit;
         return clipped(law.stiffness * (strain - law.offset), -most, most);

@@ -134,13 +134,13 @@ void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std:
         ownSum(problem.blocks + i).diagonal().head<3>() = problem.nodeStiffness[i];
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (weights[i] == 0.0) continue;
-        const Link& link = problem.links[i];
+        const int a = rows.bodyA(i), b = rows.bodyB(i);
         const double *ga = rows.gradient(i), *gb = ga + 6;
-        const bool blockA = link.a < problem.blocks, blockB = link.b < problem.blocks;
-        addProduct(ownSum(link.a), weights[i], ga, blockA, ga, blockA);
-        if (link.b < 0) continue;
-        addProduct(ownSum(link.b), weights[i], gb, blockB, gb, blockB);
-        if (link.a >= link.b) addProduct(sumOf(linkPairs_[i]), weights[i], ga, blockA, gb, blockB);
+        const bool blockA = a < problem.blocks, blockB = b < problem.blocks;
+        addProduct(ownSum(a), weights[i], ga, blockA, ga, blockA);
+        if (b < 0) continue;
+        addProduct(ownSum(b), weights[i], gb, blockB, gb, blockB);
+        if (a >= b) addProduct(sumOf(linkPairs_[i]), weights[i], ga, blockA, gb, blockB);
         else addProduct(sumOf(linkPairs_[i]), weights[i], gb, blockB, ga, blockA);
     }
     const auto values = system_.values();

@@ -335,9 +335,9 @@ private:
 
     /// Tangent of a link in Newton's matrix, not multiplied by `Law::share`.
     double tangentOf(std::size_t i) const {
-        const Law& law = problem_.links[i].law;
         const double tangent = trial_.laws[i].tangent;
         if (firmness_ == 0.0 || !isFlat(i)) return tangent;
+        const Law& law = problem_.links[i].law;
         return std::max(tangent, firmness_ * law.limit / std::abs(trial_.strains[i] - law.offset));
     }
 
@@ -358,8 +358,9 @@ private:
         std::vector<double> weights(rows_.count());
         const auto take = [&](double least) {
             for (std::size_t i = 0; i < weights.size(); ++i) {
-                const Law& law = problem_.links[i].law;
-                weights[i] = law.share * std::max(tangentOf(i), least * law.stiffness);
+                weights[i] = rows_.law(i).share * tangentOf(i);
+                if (least > 0.0)
+                    weights[i] = std::max(weights[i], rows_.law(i).share * least * problem_.links[i].law.stiffness);
                 if (isIndifferent(i)) weights[i] = matrix_.weightInFactor(i).value_or(weights[i]);
             }
             return matrix_.factor(problem_, rows_, weights, report_.work);

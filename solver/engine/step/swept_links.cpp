@@ -99,6 +99,7 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     row.gain = row.stiffness / (1.0 + row.stiffness * row.compliance);
     rows_.push_back(row);
     bounds_.push_back(law.bounds);
+    bounds_.back().bent = law.bounds.bent || law.bounds.yields;
 }
 
 void SweptLinks::scaleGradient(Row& row) const {

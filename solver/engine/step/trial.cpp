@@ -33,7 +33,7 @@ void evaluateLaws(StepProblem& problem, const LinkRows& rows, Trial& trial) {
     const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
     forEach(rows.count(), lawsATask, [&](std::size_t i) {
         const FlatLaw& law = rows.law(i);
-        if (law.bounds.bent) return respondAt(i);
+        if (isBentAt(law, trial.strains[i])) return respondAt(i);
         double low = law.bounds.low, high = law.bounds.high;
         if (law.bounds.follows) {
             high = problem.links[i].law.limit = law.bounds.limit(forceOf(rows.law(i - 1), trial.strains[i - 1]));
