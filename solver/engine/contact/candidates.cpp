@@ -22,10 +22,10 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 /// An edge that a corner is in front of, at present or along its path.
 struct Faced {
-    int turn = -1;  // index in the block's `turns` at which the edge begins
+    int turn = -1;  // as in NearEdge
     double gap = 0.0, along = 0.0;  // at present [m]
     double gapEnd = 0.0;  // at the end of the path [m]
-    Edge edge;
+    const Edge* edge = nullptr;
 
     /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
     double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
@@ -87,37 +87,31 @@ bool isPressed(const CandidateSearch& search, int a, int corner, int b, int turn
     return old->normalForce > 0.0 || std::min(gap, gap - old->gapOffset) >= -most;
 }
 
-/// The edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the corner
-/// may be in front of other edges.
-FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
-    const std::vector<Point>& own = search.blocks[a].corners;
-    const std::vector<Point>& other = search.blocks[b].corners;
-    const Point& p = own[corner];
-    const Point moves = driftAt(search.blocks[a], search.drift[a], p) - driftAt(search.blocks[b], search.drift[b], p);
-    const double over = search.slack(a, b), room = over + search.margin;
+/// Displacement of a corner of block A relative to block B.
+Point movesOf(const CandidateSearch& search, int a, int corner, int b) {
+    const Point& p = search.blocks[a].corners[corner];
+    return driftAt(search.blocks[a], search.drift[a], p) - driftAt(search.blocks[b], search.drift[b], p);
+}
+
+/// True if the corner is within `over` of the edge along it, at present or after it has moved.
+bool isInFront(const Edge& edge, double along, const Point& moves, double over) {
+    const double alongEnd = along + edge.along.dot(moves);
+    return std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
+}
+
+/// The near edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the
+/// corner may be in front of other edges.
+FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, std::span<const NearEdge> near,
+                      bool& byPath) {
+    const Point moves = movesOf(search, a, corner, b);
+    const double over = search.slack(a, b);
     FacedEdges faced;
-    const Outline& outline = search.outlines[b];
-    if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return faced;
-    for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
-        const std::vector<char>& inner = search.model.blocks[b].inner;
-        const std::size_t first = search.model.blocks[b].turns[turn];
-        if (!inner.empty() && inner[first]) continue;  // not a face: glued to the next cell
-        const Edge& edge = outline.runs[turn];
-        const Point from = p - edge.start;
-        const double gap = edge.outward.dot(from), along = edge.along.dot(from);
-        const double alongEnd = along + edge.along.dot(moves);
-        if (gap > search.margin || gap < -deepest * search.model.blocks[b].size) continue;
-        const bool faces = std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
-        if (!faces && (along < -room || along > edge.length + room)) continue;
-        if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
-        // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
-        // above the slab. On the boundary, a corner is at another edge.
-        const auto isBehind = [&] {
-            return locate(other, p, over) != Side::Inside || isBehindSliver(outline.runs, edge, p, over);
-        };
-        if (gap < -over && isBehind() && !isPressed(search, a, corner, b, turn, gap)) continue;
-        byPath = byPath || along < -over || along > edge.length + over;
-        if (faces) faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
+    for (const NearEdge& one : near) {
+        if (one.behind && !isPressed(search, a, corner, b, one.turn, one.gap)) continue;
+        const Edge& edge = search.outlines[b].runs[one.turn];
+        byPath = byPath || one.along < -over || one.along > edge.length + over;
+        if (isInFront(edge, one.along, moves, over))
+            faced.push_back({one.turn, one.gap, one.along, one.gap + edge.outward.dot(moves), &edge});
     }
     return faced;
 }
@@ -150,10 +144,10 @@ public:
     bool goesOn(const Faced& f) const {
         if (std::abs(f.gap) > over_) return false;
         const std::vector<int>& turns = search_.model.blocks[b_].turns;
-        const bool nearStart = f.along < 0.5 * f.edge.length;
+        const bool nearStart = f.along < 0.5 * f.edge->length;
         const int end = turns[(static_cast<std::size_t>(f.turn) + (nearStart ? 0 : 1)) % turns.size()];
-        return search_.standings.holdsUp(a_, corner_, f.edge.outward) ||
-               search_.standings.holdsUp(b_, end, -f.edge.outward);
+        return search_.standings.holdsUp(a_, corner_, f.edge->outward) ||
+               search_.standings.holdsUp(b_, end, -f.edge->outward);
     }
 
     /// True if the corner only grazes the end of this edge and rests on the flush face next to it.
@@ -162,16 +156,16 @@ public:
         const std::vector<int>& turns = search_.model.blocks[b_].turns;
         const int count = static_cast<int>(turns.size());
         for (const auto& [at, neighbour] : {std::pair(f.along, (f.turn + count - 1) % count),
-                                            std::pair(f.edge.length - f.along, (f.turn + 1) % count)}) {
+                                            std::pair(f.edge->length - f.along, (f.turn + 1) % count)}) {
             if (std::abs(at) > over_) continue;
             Faced next;
             next.turn = neighbour;
-            next.edge = search_.outlines[b_].runs[neighbour];
+            next.edge = &search_.outlines[b_].runs[neighbour];
             const std::vector<Point>& own = search_.blocks[a_].corners;
-            const Point from = own[corner_] - next.edge.start;
-            next.gap = next.edge.outward.dot(from), next.along = next.edge.along.dot(from);
-            const bool round = !faceEachOther(f.edge, next.edge) &&
-                               facesEdge(own, search_.model.blocks[a_].inner, corner_, next.edge);
+            const Point from = own[corner_] - next.edge->start;
+            next.gap = next.edge->outward.dot(from), next.along = next.edge->along.dot(from);
+            const bool round = !faceEachOther(*f.edge, *next.edge) &&
+                               facesEdge(own, search_.model.blocks[a_].inner, corner_, *next.edge);
             if (round && goesOn(next) && !goesOn(f)) return true;
         }
         return false;
@@ -266,16 +260,41 @@ Box CandidateSearch::reachOf(int a, int b) const {
     return grown(outlines[b].box, rounding * (2.0 * (slack(a, b) + margin) + moves));
 }
 
-bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Candidate>& found) const {
+void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const {
+    const std::vector<Point>& own = blocks[a].corners;
+    const Point &p = own[corner], moves = movesOf(*this, a, corner, b);
+    const double over = slack(a, b), room = over + margin;
+    const Outline& outline = outlines[b];
+    if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return;
+    const std::vector<char>& inner = model.blocks[b].inner;
+    for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
+        if (!inner.empty() && inner[model.blocks[b].turns[turn]]) continue;  // not a face: glued to the next cell
+        const Edge& edge = outline.runs[turn];
+        const Point from = p - edge.start;
+        const double gap = edge.outward.dot(from), along = edge.along.dot(from);
+        if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
+        if ((along < -room || along > edge.length + room) && !isInFront(edge, along, moves, over)) continue;
+        if (!facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
+        // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
+        // above the slab. On the boundary, a corner is at another edge.
+        const auto isBehind = [&] {
+            return locate(blocks[b].corners, p, over) != Side::Inside || isBehindSliver(outline.runs, edge, p, over);
+        };
+        near.push_back({turn, gap, along, gap < -over && isBehind()});
+    }
+}
+
+bool CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,
+                                   std::vector<Candidate>& found) const {
     bool byPath = false;
-    const FacedEdges faced = facedEdges(*this, a, corner, b, byPath);
+    const FacedEdges faced = facedEdges(*this, a, corner, b, near, byPath);
     const Entrance entrance(*this, a, corner, b);
     for (const Faced& one : faced) {
         const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
-            return other.turn != one.turn && !faceEachOther(one.edge, other.edge) && entrance.by(other, one);
+            return other.turn != one.turn && !faceEachOther(*one.edge, *other.edge) && entrance.by(other, one);
         });
         if (!beaten && !entrance.grazes(one)) found.push_back(candidateOf(*this, a, corner, b, one));
-        const double fromEnd = std::min(std::abs(one.along), std::abs(one.edge.length - one.along));
+        const double fromEnd = std::min(std::abs(one.along), std::abs(one.edge->length - one.along));
         byPath = byPath || fromEnd <= slack(a, b);
     }
     return byPath || faced.size() > 1;

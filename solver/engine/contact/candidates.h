@@ -45,6 +45,13 @@ struct Candidate {
     double place = 0.0;  // position of the corner along the edge [0 … 1]
 };
 
+/// An edge of block B that a corner of block A may be in front of, on any path within the margin of the search.
+struct NearEdge {
+    int turn = -1;  // index in the block's `turns` at which the edge begins
+    double gap = 0.0, along = 0.0;  // position of the corner relative to the edge [m]
+    bool behind = false;  // the corner has passed the block, unless a contact shows that it is pressed into the edge
+};
+
 /// Supported corners: for each contact that is compressed or bonded, its corner and both ends of its edge.
 class Standings {
 public:
@@ -81,9 +88,13 @@ struct CandidateSearch {
     /// The box outside of which no corner of block A can be in contact with block B.
     Box reachOf(int a, int b) const;
 
-    /// Adds corner `corner` of block A with each edge of block B through which it would enter.
+    /// Adds the edges of block B near corner `corner` of block A to `near`. They depend on the path only if it is longer
+    /// than the margin.
+    void addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const;
+
+    /// Adds corner `corner` of block A with each of the near edges of block B through which it would enter.
     /// \return true if the result could be different for another path with relative displacements up to the margin.
-    bool addCorner(int a, int corner, int b, std::vector<Candidate>& found) const;
+    bool addEntrances(int a, int corner, int b, std::span<const NearEdge> near, std::vector<Candidate>& found) const;
 };
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.

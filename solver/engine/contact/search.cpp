@@ -38,26 +38,25 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     return pairs;
 }
 
-/// Replaces `found` by the candidates of two blocks. \param kept receives the corners and their candidates, unless null.
+/// Adds the candidates of two blocks to `found`, and the corners near edges to `corners`.
 void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
-                    FoundCorners::Batch* kept) {
-    found.clear();
-    const std::ptrdiff_t before = kept ? std::ssize(kept->candidates) : 0;
-    if (kept) kept->pairs.push_back({a, b, std::ssize(kept->corners), std::ssize(kept->corners)});
+                    FoundCorners::Batch& corners) {
+    FoundCorners::Pair pair{a, b, std::ssize(corners.corners)};
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
             const Point& place = search.blocks[first].corners[corner];
             if (!meets(reach, {place, place})) continue;
-            const auto begin = std::ssize(found);
-            const bool byPath = search.addCorner(first, corner, second, found);
-            const auto end = std::ssize(found);
-            if (!kept || (!byPath && end == begin)) continue;
-            kept->corners.push_back({first, corner, second, byPath, before + begin, before + end});
-            ++kept->pairs.back().end;
+            const std::ptrdiff_t begin = std::ssize(corners.near);
+            search.addNearEdges(first, corner, second, corners.near);
+            const std::span near(corners.near.begin() + begin, corners.near.end());
+            if (near.empty()) continue;
+            const bool byPath = search.addEntrances(first, corner, second, near, found);
+            corners.corners.push_back({first, corner, second, byPath, begin, std::ssize(corners.near)});
         }
     }
-    if (kept) kept->candidates.insert(kept->candidates.end(), found.begin(), found.end());
+    pair.end = std::ssize(corners.corners);
+    corners.pairs.push_back(pair);
 }
 
 std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch, const FoundCorners::Pair& pair) {
@@ -84,14 +83,11 @@ std::vector<char> movesFar(const Model& model, const std::vector<BlockMotion>& b
 std::vector<Candidate> candidatesAgain(const CandidateSearch& search, const FoundCorners::Batch& batch,
                                        const FoundCorners::Pair& pair, bool isFar) {
     std::vector<Candidate> found;
-    if (isFar) {
-        findCandidates(search, pair.a, pair.b, found, nullptr);
-        return found;
-    }
-    for (const FoundCorners::Corner& c : cornersOf(batch, pair)) {
-        if (c.byPath) search.addCorner(c.a, c.corner, c.b, found);
-        else found.insert(found.end(), batch.candidates.begin() + c.begin, batch.candidates.begin() + c.end);
-    }
+    FoundCorners::Batch corners;
+    if (isFar) findCandidates(search, pair.a, pair.b, found, corners);
+    else
+        for (const FoundCorners::Corner& c : cornersOf(batch, pair))
+            search.addEntrances(c.a, c.corner, c.b, {batch.near.begin() + c.begin, batch.near.begin() + c.end}, found);
     return found;
 }
 
@@ -205,22 +201,22 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const std::size_t batches = (pairs.size() + pairsOfBatch - 1) / pairsOfBatch;
     std::vector<std::vector<Contact>> perBatch(batches);
     std::vector<double> lost(pairs.size(), 0.0);
-    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<FoundCorners::Batch>(batches)};
+    std::vector<FoundCorners::Batch> corners(batches);
     const std::vector<std::span<const Contact>> beforeOf = contactsOfPairs(before, pairs);
     forEach(batches, 1, [&](std::size_t batch) {
-        FoundCorners::Batch* kept = asked.corners ? &asked.corners->batches[batch] : nullptr;
         std::vector<Candidate> found;
         const std::size_t end = std::min(pairs.size(), (batch + 1) * pairsOfBatch);
         for (std::size_t i = batch * pairsOfBatch; i < end; ++i) {
             const std::span<const Contact>& own = beforeOf[i];
             const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
-            findCandidates(search, pairs[i].first, pairs[i].second, found, kept);
+            found.clear();
+            findCandidates(search, pairs[i].first, pairs[i].second, found, corners[batch]);
             dropDoubles(search, found);
             for (const Candidate& one : found)
                 perBatch[batch].push_back(contactOf(model, blocks, own, asked.first, one, lost[i]));
         }
     });
-    if (asked.corners) asked.corners->outlines = std::move(outlines);
+    if (asked.corners) *asked.corners = {asked.margin, std::move(outlines), std::move(corners)};
     std::vector<Contact> contacts = joined(perBatch);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);

@@ -16,22 +16,22 @@ namespace keyblock {
 /// Result of a search before contacts take over their history. The contacts for another path can be derived from it
 /// without a new search.
 struct FoundCorners {
-    /// A corner near an edge of another block, with its candidates.
+    /// A corner near edges of another block.
     struct Corner {
         int a = -1, corner = -1, b = -1;
-        bool byPath = false;  // the candidates depend on the path; otherwise they are the same for every path
-        std::ptrdiff_t begin = 0, end = 0;  // as a range of `Batch::candidates`
+        bool byPath = false;  // its contacts depend on the path; otherwise they are the same for every path
+        std::ptrdiff_t begin = 0, end = 0;  // the edges, as a range of `Batch::near`
     };
     /// Two blocks near each other.
     struct Pair {
         int a = -1, b = -1;
         std::ptrdiff_t begin = 0, end = 0;  // their corners, as a range of `Batch::corners`
     };
-    /// Pairs that are searched one after the other, with their corners and candidates.
+    /// Pairs that are searched one after the other, with their corners.
     struct Batch {
         std::vector<Pair> pairs;
         std::vector<Corner> corners;
-        std::vector<Candidate> candidates;
+        std::vector<NearEdge> near;
     };
     double margin = 0.0;  // margin of the search [m]
     std::vector<Outline> outlines;  // outlines of the blocks in the search
