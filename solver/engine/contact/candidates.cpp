@@ -26,6 +26,7 @@ struct Faced {
     double gap = 0.0, along = 0.0;  // at present [m]
     double gapEnd = 0.0;  // at the end of the path [m]
     const Edge* edge = nullptr;
+    bool flush = false;  // `Entrance::goesOn`, where there are several such edges
 
     /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
     double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
@@ -124,7 +125,7 @@ public:
 
     /// True if the corner enters through `x` rather than through `y`.
     bool by(const Faced& x, const Faced& y) const {
-        if (const bool flushX = goesOn(x); flushX != goesOn(y)) return flushX;
+        if (x.flush != y.flush) return x.flush;
         if (search_.estimated && isAhead(x) && isAhead(y))
             if (const bool oldX = previous(x); oldX != static_cast<bool>(previous(y))) return oldX;
         const double tx = x.crossing(), ty = y.crossing();
@@ -287,8 +288,10 @@ void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdg
 bool CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,
                                    std::vector<Candidate>& found) const {
     bool byPath = false;
-    const FacedEdges faced = facedEdges(*this, a, corner, b, near, byPath);
+    FacedEdges faced = facedEdges(*this, a, corner, b, near, byPath);
     const Entrance entrance(*this, a, corner, b);
+    if (faced.size() > 1)
+        for (Faced& one : faced) one.flush = entrance.goesOn(one);
     for (const Faced& one : faced) {
         const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
             return other.turn != one.turn && !faceEachOther(*one.edge, *other.edge) && entrance.by(other, one);
