@@ -205,6 +205,10 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{
     list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
+inline constexpr auto rows<SweepsFirst> = std::tuple{count("left", &SweepsFirst::left),
+                                                     count("after", &SweepsFirst::after)};
+
+template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),
                                                      count("equalSteps", &DynamicPace::equalSteps)};
 

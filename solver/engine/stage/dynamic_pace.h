@@ -7,6 +7,8 @@
 // attempt that fails costs as many iterations as a step may take.
 #pragma once
 
+#include "solver/engine/step/sweeps_first.h"
+
 namespace keyblock {
 
 /// Values carried over from previous steps to the next step.
@@ -14,7 +16,7 @@ struct DynamicPace {
     double dt = 0.0;  // next time step to try [s]; 0: the maximum
     double lastMove = 0.0;  // largest displacement in the previous step [m]
     double roundedUp = 0.0;  // amount by which rounding has increased the stage's time [s]
-    bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
+    SweepsFirst sweepsFirst;
     int afterCut = 0;  // steps of equal length after the next cut, before a longer one is tried
     int equalSteps = 0;  // number of them still to make
     double last = 0.0;  // length of the last step [s]; 0: none yet

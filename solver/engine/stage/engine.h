@@ -70,7 +70,7 @@ struct StepNeeds {
     bool convex = false;  // use Newton's method even if the scene selects open–close iteration
     bool fromGuess = false;  // as in `SolveSettings`
     int sweepsFrom = 0;  // as in `SolveSettings`
-    bool* sweepsFirst = nullptr;  // as in `SolveSettings`
+    SweepsFirst* sweepsFirst = nullptr;  // as in `SolveSettings`
 };
 
 /// Solves one step and includes it in the solver diagnostics. The friction limits of the solution are stored in the

@@ -156,7 +156,7 @@ private:
     /// Makes the first time step of the scene from rest.
     SolveReport moving(double timeStep) {
         begin({Inertia::Shi, timeStep});
-        bool sweepsFirst = true;
+        SweepsFirst sweepsFirst{.left = 1};
         return solve({.tolerance = movingTolerance * engine_.model.numerics.tolerance, .sweepsFirst = &sweepsFirst});
     }
 

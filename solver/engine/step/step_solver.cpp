@@ -87,6 +87,7 @@ public:
             iterate();
             ++report_.passes;
         }
+        if (report_.converged) noteSweeps();
         d = unpadded(trial_.d);
         return report_;
     }
@@ -102,7 +103,14 @@ private:
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
         if (!same && !startsBalanced()) takeBetter(std::move(guess));
-        sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
+        hasToMove_ = report_.residual > easy;
+        sweeps_ = beginsWithSweeps_ = hasToMove_ && mayKeepSweeping() && settings_.sweepsFirst->now();
+    }
+
+    /// Easy steps show nothing for the next ones.
+    void noteSweeps() {
+        if (!hasToMove_ || !mayKeepSweeping() || dropped_) return;
+        settings_.sweepsFirst->note(beginsWithSweeps_, stalled_, workOf(report_.work));
     }
 
     /// Starts from `guess` instead if it has the smaller residual.
@@ -214,7 +222,9 @@ private:
         }
         judge(trialAt(problem_, rows_, std::move(beforeSweeps_.d)));
         if (++useless_ >= mostUseless) tries_ = mostSweeps;
-        if (mayKeepSweeping() && report_.passes == 1) *settings_.sweepsFirst = false;
+        if (!mayKeepSweeping() || report_.passes != 1) return;
+        settings_.sweepsFirst->drop();
+        dropped_ = true;
     }
 
     /// Makes one Newton step: the full step if that reduces the residual enough, otherwise the length that the line
@@ -278,8 +288,7 @@ private:
         if (settlesLocally()) settleLocally(mostAfterStall);
         if (sweepsAreDue()) return sweepAgain();
         if (!maySweep() || (!rests() && report_.residual <= nearInMotion)) return;
-        sweeps_ = true;
-        if (mayKeepSweeping()) *settings_.sweepsFirst = true;
+        sweeps_ = stalled_ = true;
     }
 
     bool sweepsAreDue() const {
@@ -385,6 +394,8 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
+    bool hasToMove_ = false, beginsWithSweeps_ = false;
+    bool stalled_ = false, dropped_ = false;  // Newton's method stalled; sweeps at the beginning were of no use
     bool creeps_ = false;  // the last step hardly reduced the residual
     bool helped_ = false;  // a local solution was kept
     double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix

@@ -8,6 +8,7 @@
 
 #include "solver/engine/step/dual_sweeps.h"
 #include "solver/engine/step/step_matrix.h"
+#include "solver/engine/step/sweeps_first.h"
 
 #include <functional>
 
@@ -19,7 +20,7 @@ struct SolveSettings {
     bool openClose = false;  // use the classical open–close iteration
     bool fromGuess = false;  // start from the given displacement, even if zero displacement has the smaller residual
     int sweepsFrom = 0;  // number of iterations after which sweeps are tried
-    bool* sweepsFirst = nullptr;  // in motion: whether the previous step needed sweeps; updated for the next one
+    SweepsFirst* sweepsFirst = nullptr;  // in motion: whether the step begins with sweeps; updated for the next one
 };
 
 struct SolveReport {

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether the steps of a motion begin with sweeps over the contact forces. Where
+// Newton's method stalls, it is likely to stall in the next steps, too; a few of these
+// therefore begin with sweeps. Then one begins with Newton's method again: if that
+// takes clearly less work, so do the steps after it; otherwise more steps than before
+// begin with sweeps until the next comparison.
+#pragma once
+
+#include <algorithm>
+
+namespace keyblock {
+
+struct SweepsFirst {
+    static constexpr int fewest = 4, most = 64;  // number of steps that begin with sweeps before a comparison
+    static constexpr int longer = 4;  // times that number after a comparison in favour of sweeps
+    static constexpr double clearlyLess = 0.7;  // times the work of a step that began with sweeps
+
+    int left = 0;  // further steps that begin with sweeps
+    int after = fewest;  // number of them after the next comparison, if it is in favour of sweeps
+    double work = 0.0;  // of the last step that began with sweeps; 0: none to compare with
+
+    bool now() const { return left > 0; }
+
+    /// Takes note of a step that was solved.
+    /// \param swept it began with sweeps.
+    /// \param stalled it did not, and Newton's method stalled in it.
+    /// \param workOfStep as given by `workOf`.
+    void note(bool swept, bool stalled, double workOfStep) {
+        if (swept) {
+            --left;
+            work = workOfStep;
+        } else if (work > 0.0 && (stalled || workOfStep > clearlyLess * work)) {
+            left = after;
+            after = std::min(longer * after, most);
+        } else {
+            left = stalled ? fewest : 0;
+            after = fewest;
+            work = 0.0;
+        }
+    }
+
+    /// Sweeps at the beginning of a step were of no use: the next steps begin with Newton's method.
+    void drop() { left = 0, work = 0.0; }
+};
+
+}  // namespace keyblock

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/step/sweeps_first.h"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+/// Notes `steps` steps and counts those that begin with sweeps. \param swept, newton work of a step that begins with
+/// sweeps, and of one that does not. \param stalls Newton's method stalls.
+int noteSteps(SweepsFirst& first, int steps, double swept, double newton, bool stalls) {
+    int count = 0;
+    for (int step = 0; step < steps; ++step) {
+        const bool now = first.now();
+        count += now;
+        first.note(now, stalls && !now, now ? swept : newton);
+    }
+    return count;
+}
+
+TEST(SweepsFirst, AreNotMadeWhereNewtonsMethodDoesNotStall) {
+    SweepsFirst first;
+    EXPECT_EQ(noteSteps(first, 100, 1.0, 5.0, false), 0);
+}
+
+TEST(SweepsFirst, AreMadeInAlmostAllStepsWhereTheyTakeLessWork) {
+    SweepsFirst first;
+    first.note(false, true, 5.0);
+    const int steps = 200, compared = 5;  // after 4, 4, 16, 64 and 64 steps
+    EXPECT_EQ(noteSteps(first, steps, 3.0, 5.0, false), steps - compared);
+}
+
+TEST(SweepsFirst, EndSoonWhereNewtonsMethodTakesClearlyLessWork) {
+    SweepsFirst first;
+    first.note(false, true, 5.0);
+    EXPECT_EQ(noteSteps(first, 100, 3.0, 1.0, false), SweepsFirst::fewest);
+    EXPECT_FALSE(first.now());
+}
+
+TEST(SweepsFirst, ContinueWhereNewtonsMethodStallsAtLittleWork) {
+    SweepsFirst first;
+    first.note(false, true, 1.0);
+    const int steps = 24, compared = 2;  // after 4 and 4 steps
+    EXPECT_EQ(noteSteps(first, steps, 3.0, 1.0, true), steps - compared);
+}
+
+TEST(SweepsFirst, AreDroppedAtOnceWhereTheyAreOfNoUse) {
+    SweepsFirst first;
+    first.note(false, true, 5.0);
+    first.drop();
+    EXPECT_EQ(noteSteps(first, 10, 3.0, 5.0, false), 0);
+}
+
+}  // namespace
+}  // namespace keyblock
