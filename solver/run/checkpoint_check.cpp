@@ -99,6 +99,10 @@ constexpr auto isBlock = [](const Facts& f, const auto&, int block) { return isB
 constexpr auto arePairs = [](const Facts& f, const auto&, const std::pair<int, int>& pair) {
     return isBelow(pair.first, f.model.blocks.size()) && isBelow(pair.second, f.model.blocks.size());
 };
+constexpr auto arePossibleSteps = [](const Facts&, const SweepsFirst& first) {
+    return std::clamp(first.left, 0, SweepsFirst::most) == first.left &&
+           std::clamp(first.after, 0, SweepsFirst::most) == first.after;
+};
 constexpr auto isFlag = [](char flag) { return flag == 0 || flag == 1; };
 
 /// True if the outline of the block turns at this corner; edges between such corners begin there.
@@ -205,8 +209,8 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{
     list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
-inline constexpr auto rows<SweepsFirst> = std::tuple{count("left", &SweepsFirst::left),
-                                                     count("after", &SweepsFirst::after)};
+inline constexpr auto rows<SweepsFirst> = std::tuple{row("left", &SweepsFirst::left, arePossibleSteps),
+                                                     row("after", &SweepsFirst::after, arePossibleSteps)};
 
 template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),

@@ -240,9 +240,8 @@ bool Standings::holdsUp(int block, int corner, const Point& normal) const {
     return std::any_of(entries_.begin() + static_cast<std::ptrdiff_t>(first_[block]),
                        entries_.begin() + static_cast<std::ptrdiff_t>(first_[block + 1]), [&](const Entry& e) {
                            if (e.corner != corner) return false;
-                           const double sign = e.faceOf == block
-                                                   ? -1.0
-                                                   : 1.0;  // the face of the block itself, or one that supports it
+                           // the face of the block itself, or one that supports it
+                           const double sign = e.faceOf == block ? -1.0 : 1.0;
                            const Point outward = sign * edgeOf(blocks_[e.faceOf].corners, e.edge).outward;
                            return outward.dot(normal) > 0.0 && std::abs(cross(outward, normal)) <= angleSlack;
                        });

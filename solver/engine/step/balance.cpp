@@ -72,7 +72,7 @@ void Balance::addUpNoise() {
         const LawResponse& r = trial_->laws[i];
         if (r.force == 0.0 && r.tangent == 0.0) continue;
         const double* g = rows_->gradient(i);
-        double size = std::abs(rows_->start(i));
+        double size = std::abs(problem_->links[i].strain);
         for (int k = 0; k < 6; ++k) size += std::abs(g[k] * d[rows_->firstOfA(i) + k]);
         for (int k = 0; k < 6; ++k) size += std::abs(g[6 + k] * d[rows_->firstOfB(i) + k]);
         const double lost = digits * rows_->law(i).share * (r.tangent * size + std::abs(r.force));

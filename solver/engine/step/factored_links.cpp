@@ -11,8 +11,7 @@ namespace {
 
 constexpr double equalWeight = 1e-9;  // relative difference up to which two weights are equal
 constexpr double sameWeight = 1e-2;  // relative change of weight up to which a link keeps its weight in the factor
-constexpr std::ptrdiff_t farthestAhead =
-    32;  // links that may have ended in succession before a list counts as reordered
+constexpr std::ptrdiff_t keysAhead = 32;  // number of keys searched ahead; beyond that, rows are matched by sorting
 constexpr double sameGradient = 1e-4;  // squared relative change of gradient beyond which a link is replaced
 
 /// Key that identifies a link from step to step. Contacts are identified by their features, because their numbers
@@ -46,7 +45,7 @@ std::pair<KeyedRows, KeyedRows> alignRows(const std::vector<std::uint64_t>& befo
         for (; next != to; ++next) others.first.emplace_back(*next, static_cast<int>(next - before.begin()));
     };
     for (std::size_t i = 0; i < now.size(); ++i) {
-        const auto end = next + std::min(farthestAhead, before.end() - next);
+        const auto end = next + std::min(keysAhead, before.end() - next);
         const auto found = std::find(next, end, now[i]);
         if (found == end) {
             others.second.emplace_back(now[i], static_cast<int>(i));

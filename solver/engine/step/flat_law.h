@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Compact form of a link's law, for loops that evaluate all links many times: a
-// straight line between two limits, for steps that use the force at their end. Any
-// other law is marked as bent and must be evaluated itself.
+// straight line between two limits, for steps that use the force at their end. A curve
+// is such a line up to its yield force. Any other law is marked as bent and must be
+// evaluated itself.
 #pragma once
 
 #include "solver/engine/step/step_problem.h"
@@ -26,7 +27,7 @@ struct FlatBounds {
 };
 
 struct FlatLaw {
-    double stiffness = 0.0, offset = 0.0;
+    double stiffness = 0.0, offset = 0.0;  // of the line: for a curve, of its first piece; for a constant force, zero
     double beyond = 0.0;  // tangent beyond the bounds [N/m]
     double share = 1.0;  // `Law::share`
     FlatBounds bounds;
@@ -45,12 +46,12 @@ inline bool isBentAt(const FlatLaw& law, double strain) {
     return law.bounds.bent || trial < law.bounds.low || law.bounds.high < trial;
 }
 
-/// Force of a law that is not bent, if its bounds do not follow another link.
+/// Force of a law that is not bent at this strain, if its bounds do not follow another link.
 inline double forceOf(const FlatLaw& law, double strain) {
     return clipped(law.stiffness * (strain - law.offset), law.bounds.low, law.bounds.high);
 }
 
-/// Force and tangent of a law that is not bent if its force is limited to the range from `low` to `high`.
+/// Force and tangent of a law that is not bent at this strain, if its force is limited to the range from `low` to `high`.
 inline LawResponse respond(const FlatLaw& law, double strain, double low, double high) {
     const double trial = law.stiffness * (strain - law.offset);
     const bool inside = !(trial < low) && !(high < trial);

@@ -14,6 +14,7 @@ namespace keyblock {
 
 /// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases at a step length
 /// of 1.
+/// \param rows of `problem`.
 /// \param direction the displacement at a step length of 1 (padded).
 /// \param rates the strain increment of each link due to `direction`.
 /// \param coupled true to let friction limits follow their normal forces along the direction; on return, the limits

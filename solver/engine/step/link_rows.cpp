@@ -32,8 +32,9 @@ LinkRows::LinkRows(const StepProblem& problem)
     laws_.reserve(count());
     for (const Link& link : problem.links) laws_.push_back(flatLaw(problem, link));
     for (const LimitPair& pair : problem.limitPairs) {
+        const FlatBounds& from = laws_[pair.from].bounds;
         FlatBounds& bounds = (laws_[pair.limited] = flatLaw(problem, pair)).bounds;
-        bounds.bent = bounds.bent || laws_[pair.from].bounds.bent;
+        bounds.bent = bounds.bent || from.bent || from.yields || from.follows;
     }
 }
 

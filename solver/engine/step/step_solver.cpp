@@ -87,7 +87,7 @@ public:
             iterate();
             ++report_.passes;
         }
-        if (report_.converged) noteSweeps();
+        noteSweeps();
         d = unpadded(trial_.d);
         return report_;
     }
@@ -103,14 +103,25 @@ private:
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
         if (!same && !startsBalanced()) takeBetter(std::move(guess));
-        hasToMove_ = report_.residual > easy;
-        sweeps_ = beginsWithSweeps_ = hasToMove_ && mayKeepSweeping() && settings_.sweepsFirst->now();
+        startsEasy_ = report_.residual <= easy;
+        sweeps_ = beginsWithSweeps_ = !startsEasy_ && mayKeepSweeping() && settings_.sweepsFirst->now();
     }
 
-    /// Easy steps show nothing for the next ones.
+    /// Records for the next solutions how this one was found. Those that start nearly balanced, continue another one, or
+    /// have undone their first sweeps are not compared, nor are those that need no matrix, because Newton's method takes
+    /// at least one factorization; of those that do not converge, only a stall counts.
     void noteSweeps() {
-        if (!hasToMove_ || !mayKeepSweeping() || dropped_) return;
-        settings_.sweepsFirst->note(beginsWithSweeps_, stalled_, workOf(report_.work));
+        const bool solvedBySweeps = beginsWithSweeps_ && report_.work.factorizations == 0;
+        if (startsEasy_ || !mayKeepSweeping() || dropped_ || solvedBySweeps) return;
+        if (report_.converged || (stalled_ && !beginsWithSweeps_))
+            settings_.sweepsFirst->note(beginsWithSweeps_, stalled_, workOf(report_.work));
+    }
+
+    /// The first sweeps of the step were of no use.
+    void dropFirstSweeps() {
+        if (!mayKeepSweeping()) return;
+        settings_.sweepsFirst->drop();
+        dropped_ = true;
     }
 
     /// Starts from `guess` instead if it has the smaller residual.
@@ -181,8 +192,15 @@ private:
 
     void iterate() {
         if (swept_) judgeSweeps();
-        if (sweeps_ && tries_ < mostSweeps) sweep();
-        else step();
+        if (sweeps_ && tries_ < mostSweeps) return sweep();
+        step();
+        if (isCompared() && report_.passes == 0 && report_.residual > easy) sweeps_ = stalled_ = true;
+    }
+
+    /// True if the step begins with Newton's method to see whether it takes less work than sweeps. Its first iteration
+    /// shows that.
+    bool isCompared() const {
+        return !startsEasy_ && mayKeepSweeping() && !beginsWithSweeps_ && settings_.sweepsFirst->work > 0.0;
     }
 
     void sweep() {
@@ -195,7 +213,10 @@ private:
         std::optional<Eigen::VectorXd> d;
         if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix_, report_.work);
         swept_ = d.has_value();
-        if (!d) tries_ = mostSweeps;
+        if (!d) {
+            tries_ = mostSweeps;
+            if (report_.passes == 0) dropFirstSweeps();
+        }
         judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
     }
 
@@ -222,9 +243,7 @@ private:
         }
         judge(trialAt(problem_, rows_, std::move(beforeSweeps_.d)));
         if (++useless_ >= mostUseless) tries_ = mostSweeps;
-        if (!mayKeepSweeping() || report_.passes != 1) return;
-        settings_.sweepsFirst->drop();
-        dropped_ = true;
+        if (report_.passes == 1) dropFirstSweeps();
     }
 
     /// Makes one Newton step: the full step if that reduces the residual enough, otherwise the length that the line
@@ -394,8 +413,9 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
-    bool hasToMove_ = false, beginsWithSweeps_ = false;
-    bool stalled_ = false, dropped_ = false;  // Newton's method stalled; sweeps at the beginning were of no use
+    bool startsEasy_ = true;  // the start is nearly balanced, or the solution of another iteration
+    bool beginsWithSweeps_ = false;
+    bool stalled_ = false, dropped_ = false;  // Newton's method stalled; the first sweeps were of no use
     bool creeps_ = false;  // the last step hardly reduced the residual
     bool helped_ = false;  // a local solution was kept
     double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix

@@ -4,8 +4,8 @@
 // Whether the steps of a motion begin with sweeps over the contact forces. Where
 // Newton's method stalls, it is likely to stall in the next steps, too; a few of these
 // therefore begin with sweeps. Then one begins with Newton's method again: if that
-// takes clearly less work, so do the steps after it; otherwise more steps than before
-// begin with sweeps until the next comparison.
+// does not stall and takes clearly less work, the steps after it do the same;
+// otherwise more steps than before begin with sweeps until the next comparison.
 #pragma once
 
 #include <algorithm>
@@ -23,9 +23,9 @@ struct SweepsFirst {
 
     bool now() const { return left > 0; }
 
-    /// Takes note of a step that was solved.
+    /// Takes note of a step that was solved; each solution of a repeated step counts.
     /// \param swept it began with sweeps.
-    /// \param stalled it did not, and Newton's method stalled in it.
+    /// \param stalled Newton's method stalled in it; without effect if `swept`.
     /// \param workOfStep as given by `workOf`.
     void note(bool swept, bool stalled, double workOfStep) {
         if (swept) {

@@ -20,8 +20,8 @@ namespace keyblock {
 
 class SweptLinks {
 public:
-    /// Sums over one sweep: of the squared force changes (`changed`), without those that only bring a force into its
-    /// range, and of the squared forces (`forces`).
+    /// Sums over one sweep: of the squared force changes (`changed`), without the parts that only bring a force into its
+    /// present range (for friction, also a decrease of its limit), and of the squared forces (`forces`).
     struct Change {
         double changed = 0.0, forces = 0.0;
     };
