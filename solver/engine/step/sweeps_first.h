@@ -13,7 +13,7 @@
 namespace keyblock {
 
 struct SweepsFirst {
-    static constexpr int fewest = 4, most = 64;  // number of steps that begin with sweeps before a comparison
+    static constexpr int fewest = 16, most = 128;  // number of steps that begin with sweeps before a comparison
     static constexpr int longer = 4;  // times that number after a comparison in favour of sweeps
     static constexpr double clearlyLess = 0.7;  // times the work of a step that began with sweeps
 

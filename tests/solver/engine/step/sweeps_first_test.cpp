@@ -27,7 +27,7 @@ TEST(SweepsFirst, AreNotMadeWhereNewtonsMethodDoesNotStall) {
 TEST(SweepsFirst, AreMadeInAlmostAllStepsWhereTheyTakeLessWork) {
     SweepsFirst first;
     first.note(false, true, 5.0);
-    const int steps = 200, compared = 5;  // after 4, 4, 16, 64 and 64 steps
+    const int steps = 360, compared = 5;  // after 16, 16, 64, 128 and 128 steps
     EXPECT_EQ(noteSteps(first, steps, 3.0, 5.0, false), steps - compared);
 }
 
@@ -41,7 +41,7 @@ TEST(SweepsFirst, EndSoonWhereNewtonsMethodTakesClearlyLessWork) {
 TEST(SweepsFirst, ContinueWhereNewtonsMethodStallsAtLittleWork) {
     SweepsFirst first;
     first.note(false, true, 1.0);
-    const int steps = 24, compared = 2;  // after 4 and 4 steps
+    const int steps = 40, compared = 2;  // after 16 and 16 steps
     EXPECT_EQ(noteSteps(first, steps, 3.0, 1.0, true), steps - compared);
 }
 
