@@ -17,7 +17,7 @@ constexpr int mostAtFirst = 36, mostAgain = 72;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
-constexpr int mixedSweeps = 6;  // number of sweeps combined by Anderson mixing
+constexpr int mixedSweeps = 5;  // number of sweeps combined by Anderson mixing
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
 constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
 
