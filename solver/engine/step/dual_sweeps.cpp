@@ -44,7 +44,7 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
 /// Makes a sweep from the mixed forces of those before. Mixed forces may be outside the ranges of their laws until the
 /// sweep visits them.
 void DualSweeps::sweepOnce(StepWork& work) {
-    if (made_ > 0 && mixing_.mix(changes_, forces_, swept_.placed())) ++work.products;
+    if (made_ > 0) mixing_.mix(changes_, forces_, swept_.placed());
     last_ = swept_.sweep(forces_, changes_);
     ++work.sweeps;
     ++made_;

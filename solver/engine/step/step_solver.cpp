@@ -197,8 +197,7 @@ private:
         if (isCompared() && report_.passes == 0 && report_.residual > easy) sweeps_ = stalled_ = true;
     }
 
-    /// True if the step begins with Newton's method to see whether it takes less work than sweeps. Its first iteration
-    /// shows that.
+    /// True if the step begins with Newton's method to see whether that takes less work than sweeps.
     bool isCompared() const {
         return !startsEasy_ && mayKeepSweeping() && !beginsWithSweeps_ && settings_.sweepsFirst->work > 0.0;
     }

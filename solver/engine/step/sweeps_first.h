@@ -41,8 +41,8 @@ struct SweepsFirst {
         }
     }
 
-    /// Sweeps at the beginning of a step were of no use: the next steps begin with Newton's method.
-    void drop() { left = 0, work = 0.0; }
+    /// Sweeps at the beginning of a step were of no use: the next step begins with Newton's method, for comparison.
+    void drop() { left = 0; }
 };
 
 }  // namespace keyblock
