@@ -412,7 +412,7 @@ private:
     std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
-    bool startsEasy_ = true;  // the start is nearly balanced, or the solution of another iteration
+    bool startsEasy_ = true;  // the start is nearly balanced, or an earlier solution that is continued
     bool beginsWithSweeps_ = false;
     bool stalled_ = false, dropped_ = false;  // Newton's method stalled; the first sweeps were of no use
     bool creeps_ = false;  // the last step hardly reduced the residual

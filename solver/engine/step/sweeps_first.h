@@ -41,7 +41,8 @@ struct SweepsFirst {
         }
     }
 
-    /// Sweeps at the beginning of a step were of no use: the next step begins with Newton's method, for comparison.
+    /// Sweeps at the beginning of a step were of no use: the next step begins with Newton's method and, if
+    /// sweeps were of use before, is compared with the last step that began with them.
     void drop() { left = 0; }
 };
 
