@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -35,6 +36,8 @@ double rootOf(const ForceAt& forceAt, double a, double free, double x) {
     return x;
 }
 
+using GradientMap = Eigen::Map<const Eigen::Matrix<double, 12, 1>>;
+
 bool ofNode(const StepProblem& problem, const Link& link) {
     return link.a >= problem.blocks || link.b >= problem.blocks;
 }
@@ -58,6 +61,7 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links)
         follower[pair.from] = pair.limited;
     }
     rows_.reserve(links.count());
+    sources_.reserve(links.count());
     bounds_.reserve(links.count());
     for (std::size_t i = 0; i < links.count(); ++i) {
         const Law& law = problem.links[i].law;
@@ -68,8 +72,9 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links)
         const std::size_t next = follower[i];
         addRow(next, pairOf[next]);
     }
+    group();
     bentStrains_.assign(rows_.size(), 0.0);
-    for (std::size_t n = 0; n < rows_.size(); ++n) bentStrains_[n] = rows_[n].start;
+    for (std::size_t n = 0; n < rows_.size(); ++n) bentStrains_[n] = sources_[n].start;
 }
 
 void SweptLinks::scaleBlocks() {
@@ -86,65 +91,89 @@ void SweptLinks::scaleBlocks() {
 }
 
 void SweptLinks::addRow(std::size_t link, int pair) {
+    const FlatLaw& law = links_.law(link);
     Row row;
-    row.link = link;
-    row.pair = pair;
     row.firstA = links_.firstOfA(link);
     row.firstB = problem_.links[link].b >= 0 ? links_.firstOfB(link) : 6 * problem_.blocks;
-    row.start = links_.start(link) + links_.rate(link, driven_.data());
-    scaleGradient(row);
-    const FlatLaw& law = links_.law(link);
-    row.stiffness = law.stiffness;
-    row.offset = law.offset;
-    row.gain = row.stiffness / (1.0 + row.stiffness * row.compliance);
+    row.share = problem_.links[link].law.share;
+    scaleGradient(link, row);
+    const double start = links_.start(link) + links_.rate(link, driven_.data());
+    const double compliance = row.share * GradientMap(row.gradient.data()).squaredNorm();
+    row.gain = law.stiffness / (1.0 + law.stiffness * compliance);
+    row.base = row.gain * (start - law.offset);
+    row.own = row.gain * compliance;
     rows_.push_back(row);
+    sources_.push_back({start, compliance, law.stiffness, law.offset, pair, link});
     bounds_.push_back(law.bounds);
     bounds_.back().bent = law.bounds.bent || law.bounds.yields;
+    if (law.bounds.follows) bounds_.back().low = -law.bounds.high;
 }
 
-void SweptLinks::scaleGradient(Row& row) const {
-    const Link& link = problem_.links[row.link];
-    Eigen::Map<Eigen::Matrix<double, 12, 1>> all(row.gradient.data());
+/// Sets the scaled gradient of a row. The body with the smaller unknowns comes first, so that all contacts of two
+/// bodies form a group, whichever of them has the corner.
+void SweptLinks::scaleGradient(std::size_t n, Row& row) const {
+    const Link& link = problem_.links[n];
     const auto scale = [&](int body, int at) {
-        const Eigen::Map<const Vector6> gradient(links_.gradient(row.link) + at);
-        all.segment<6>(at).noalias() = scales_[body] * gradient;
+        const Eigen::Map<const Vector6> gradient(links_.gradient(n) + at);
+        Eigen::Map<Vector6>(row.gradient.data() + at).noalias() = scales_[body] * gradient;
     };
     scale(link.a, 0);
     if (link.b >= 0) scale(link.b, 6);
-    row.share = link.law.share;
-    row.compliance = row.share * all.squaredNorm();
+    if (row.firstA < row.firstB) return;
+    std::swap(row.firstA, row.firstB);
+    std::swap_ranges(row.gradient.begin(), row.gradient.begin() + 6, row.gradient.begin() + 6);
 }
 
-inline SweptLinks::Range SweptLinks::range(std::size_t n, const std::vector<double>& forces) const {
+/// Divides the rows into groups, and finds how the rows of each affect each other.
+void SweptLinks::group() {
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const bool continues = n > 0 && groups_.back().count < mostInGroup && rows_[n - 1].firstA == rows_[n].firstA &&
+                               rows_[n - 1].firstB == rows_[n].firstB;
+        if (!continues) groups_.push_back({n, 0});
+        Group& group = groups_.back();
+        ++group.count;
+        group.bent = group.bent || bounds_[n].bent;
+        const Eigen::Matrix<double, 12, 1> gradient = rows_[n].gain * GradientMap(rows_[n].gradient.data());
+        for (std::size_t k = group.first; k < n; ++k)
+            rows_[k].onNext[n - k - 1] = rows_[k].share * gradient.dot(GradientMap(rows_[k].gradient.data()));
+    }
+}
+
+/// Range of a force whose law is a straight line between two limits. \param previous force of the row before it.
+inline SweptLinks::Range SweptLinks::flatRange(std::size_t n, double previous) const {
     const FlatBounds& bounds = bounds_[n];
-    if (bounds.bent) return bentRange(n, forces);
-    if (!bounds.follows) return {bounds.low, bounds.high};
-    const double most = bounds.limit(forces[n - 1]);
-    return {-most, most};
+    const double pushed = -bounds.factor * previous;
+    const double wider = pushed > 0.0 ? pushed : 0.0;
+    return {bounds.low - wider, bounds.high + wider};
 }
 
-SweptLinks::Range SweptLinks::bentRange(std::size_t n, const std::vector<double>& forces) const {
-    const Row& row = rows_[n];
-    if (row.pair >= 0) setLimit(problem_, problem_.limitPairs[row.pair], forces[n - 1]);
-    const Link& link = problem_.links[row.link];
+inline SweptLinks::Range SweptLinks::range(std::size_t n, const double* forces) const {
+    return bounds_[n].bent ? bentRange(n, forces) : flatRange(n, n > 0 ? forces[n - 1] : 0.0);
+}
+
+SweptLinks::Range SweptLinks::bentRange(std::size_t n, const double* forces) const {
+    const Source& source = sources_[n];
+    if (source.pair >= 0) setLimit(problem_, problem_.limitPairs[source.pair], forces[n - 1]);
+    const Link& link = problem_.links[source.link];
     const double most = weightOf(problem_, link) * link.law.limit;
     if (link.law.kind == LawKind::Capped) return {-most, most};
     return {-unlimited, link.law.kind == LawKind::Gap ? 0.0 : unlimited};
 }
 
-double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const { return range(n, forces).high; }
+double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const {
+    return range(n, forces.data()).high;
+}
 
 double SweptLinks::strain(std::size_t n, double force) const {
-    const Row& row = rows_[n];
+    const Source& source = sources_[n];
     if (bounds_[n].bent) return bentStrains_[n];
-    return row.stiffness > 0.0 ? row.offset + force / row.stiffness : row.start;
+    return source.stiffness > 0.0 ? source.offset + force / source.stiffness : source.start;
 }
 
 double SweptLinks::tangent(std::size_t n) const {
-    const Row& row = rows_[n];
-    const Link& link = problem_.links[row.link];
+    const Link& link = problem_.links[sources_[n].link];
     if (bounds_[n].bent) return respond(problem_, link, bentStrains_[n]).tangent;
-    return link.law.kind == LawKind::Constant ? 0.0 : row.stiffness;
+    return link.law.kind == LawKind::Constant ? 0.0 : sources_[n].stiffness;
 }
 
 void SweptLinks::hold(const Eigen::VectorXd& outer, const Trial& from) {
@@ -210,7 +239,8 @@ Eigen::VectorXd SweptLinks::displacement() const {
 double SweptLinks::mismatch(const Eigen::VectorXd& changes) const {
     double sum = 0.0;
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const double off = (1.0 + rows_[n].stiffness * rows_[n].compliance) * changes[static_cast<Eigen::Index>(n)];
+        const double off = (1.0 + sources_[n].stiffness * sources_[n].compliance) *
+                           changes[static_cast<Eigen::Index>(n)];
         sum += off * off;
     }
     return std::sqrt(sum);
@@ -218,7 +248,7 @@ double SweptLinks::mismatch(const Eigen::VectorXd& changes) const {
 
 void SweptLinks::clip(std::vector<double>& forces) {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const Range within = range(n, forces);
+        const Range within = range(n, forces.data());
         forces[n] = std::clamp(forces[n], within.low, within.high);
     }
 }
@@ -238,38 +268,94 @@ void SweptLinks::clipAndPlace(std::vector<double>& forces) {
 }
 
 /// Force of a link that would have the strain `free` without its own force.
-double SweptLinks::bentForce(const Row& row, double free, double force) {
-    const Link& link = problem_.links[row.link];
+double SweptLinks::bentForce(std::size_t n, double free, double force) {
+    const Link& link = problem_.links[sources_[n].link];
     const auto forceAt = [&](double x) { return respond(problem_, link, x); };
-    double& strain = bentStrains_[&row - rows_.data()];
+    double& strain = bentStrains_[n];
     if (link.law.kind == LawKind::Constant) return forceAt(strain).force;
-    strain = rootOf(forceAt, row.compliance, free, free - row.compliance * force);
+    const double compliance = sources_[n].compliance;
+    strain = rootOf(forceAt, compliance, free, free - compliance * force);
     return forceAt(strain).force;
 }
 
-SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorXd& changes) {
+SweptLinks::Change SweptLinks::sweepBent(std::size_t n, double* forces, double* changes) {
+    if (!bounds_[n].bent) return sweepGroup<1>(n, forces, changes);
+    const Row& row = rows_[n];
+    const Range within = bentRange(n, forces);
+    const double before = forces[n];
+    const Eigen::Map<const Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
+    const GradientMap gradient(row.gradient.data());
+    const double free = sources_[n].start + gradient.head<6>().dot(a) + gradient.tail<6>().dot(b) +
+                        sources_[n].compliance * before;
+    forces[n] = bentForce(n, free, before);
+    changes[n] = forces[n] - before;
+    move(row, changes[n]);
+    const double changed = forces[n] - std::clamp(before, within.low, within.high);
+    return {changed * changed, forces[n] * forces[n]};
+}
+
+/// Sweeps the rows of a group. The bodies move only after the last row; until then, the trial forces account for the
+/// changes of the rows before.
+template <int Count>
+inline SweptLinks::Change SweptLinks::sweepGroup(std::size_t first, double* forces, double* changes) {
+    const Row* rows = rows_.data() + first;
+    Eigen::Map<Vector6> a(moved_.data() + rows->firstA), b(moved_.data() + rows->firstB);
+    std::array<double, Count> trial, more;
+#pragma GCC unroll 4
+    for (int k = 0; k < Count; ++k) {
+        const GradientMap gradient(rows[k].gradient.data());
+        const double rate = (gradient.head<6>().cwiseProduct(a) + gradient.tail<6>().cwiseProduct(b)).sum();
+        trial[k] = rows[k].base + rows[k].own * forces[first + k] + rows[k].gain * rate;
+    }
     Change sum;
-    sweepChains();
-    changes.setZero(static_cast<Eigen::Index>(rows_.size()));
-    for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const Row& row = rows_[n];
-        const Range within = range(n, forces);
-        const double before = forces[n];
-        if (within.high == 0.0 && within.low == 0.0 && before == 0.0) continue;
-        const Eigen::Map<const Vector6> ga(row.gradient.data()), gb(row.gradient.data() + 6);
-        Eigen::Map<Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
-        const double free = row.start + ga.dot(a) + gb.dot(b) + row.compliance * before;
-        const double force = bounds_[n].bent ? bentForce(row, free, before)
-                                             : clipped(row.gain * (free - row.offset), within.low, within.high);
-        const double more = force - before;
+    double previous = first > 0 ? forces[first - 1] : 0.0;
+#pragma GCC unroll 4
+    for (int k = 0; k < Count; ++k) {
+        const std::size_t n = first + k;
+        const Range within = flatRange(n, previous);
+        const double before = forces[n], force = clipped(trial[k], within.low, within.high);
         const double changed = force - clipped(before, within.low, within.high);
         sum.changed += changed * changed;
         sum.forces += force * force;
-        if (more == 0.0) continue;
-        forces[n] = force;
-        changes[static_cast<Eigen::Index>(n)] = more;
-        a -= row.share * more * ga;
-        b -= row.share * more * gb;
+        previous = forces[n] = force;
+        changes[n] = more[k] = force - before;
+#pragma GCC unroll 4
+        for (int next = k + 1; next < Count; ++next) trial[next] -= rows[k].onNext[next - k - 1] * more[k];
+    }
+    if (std::ranges::all_of(more, [](double x) { return x == 0.0; })) return sum;
+    Vector6 movedA = a, movedB = b;
+#pragma GCC unroll 4
+    for (int k = 0; k < Count; ++k) {
+        const double moves = rows[k].share * more[k];
+        const GradientMap gradient(rows[k].gradient.data());
+        movedA -= moves * gradient.head<6>();
+        movedB -= moves * gradient.tail<6>();
+    }
+    a = movedA;
+    b = movedB;
+    return sum;
+}
+
+SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorXd& changes) {
+    sweepChains();
+    changes.resize(static_cast<Eigen::Index>(rows_.size()));
+    Change sum;
+    const auto add = [&](const Change& more) {
+        sum.changed += more.changed;
+        sum.forces += more.forces;
+    };
+    double *f = forces.data(), *c = changes.data();
+    for (const Group& group : groups_) {
+        if (group.bent) {
+            for (int k = 0; k < group.count; ++k) add(sweepBent(group.first + k, f, c));
+            continue;
+        }
+        switch (group.count) {
+            case 1: add(sweepGroup<1>(group.first, f, c)); break;
+            case 2: add(sweepGroup<2>(group.first, f, c)); break;
+            case 3: add(sweepGroup<3>(group.first, f, c)); break;
+            default: add(sweepGroup<mostInGroup>(group.first, f, c)); break;
+        }
     }
     return sum;
 }

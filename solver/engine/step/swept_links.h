@@ -35,7 +35,7 @@ public:
     std::size_t count() const { return rows_.size(); }
 
     /// Index of swept link n in `StepProblem::links`.
-    std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
+    std::size_t linkOf(std::size_t n) const { return sources_[n].link; }
 
     /// Sets the forces on the blocks that are constant during the sweeps, and condenses the bolt nodes at a trial.
     /// \param outer the generalised force of loads and prescribed displacements (padded).
@@ -80,16 +80,32 @@ public:
     double tangent(std::size_t n) const;
 
 private:
+    static constexpr int mostInGroup = 4;  // as of two corners: each with a normal force and friction
+
+    /// What a sweep reads of a swept link, in addition to its bounds. A link has the force trial = `base` + `own`·force +
+    /// `gain`·gradient·x if it is within its bounds; x are the scaled displacements, including those due to its force.
     struct Row {
         std::array<double, 12> gradient{};  // scaled, six entries for each body
-        double start = 0.0;  // strain at zero scaled displacement
+        double base = 0.0, own = 0.0;
+        double gain = 0.0;  // force per strain that the link would have without its own force [N/m]
         double share = 1.0;
+        // decrease of the trial forces of the next rows of its group per unit of change of its force
+        std::array<double, mostInGroup - 1> onNext{};
+        int firstA = 0, firstB = 0;  // first unknowns of the two bodies
+    };
+    /// The rest of a swept link.
+    struct Source {
+        double start = 0.0;  // strain at zero scaled displacement
         double compliance = 0.0;  // strain per unit force
         double stiffness = 0.0, offset = 0.0;  // of its law
-        double gain = 0.0;  // force per strain that the link would have without its own force [N/m]
-        int firstA = 0, firstB = 0;  // first unknowns of the two bodies
         int pair = -1;  // row of limitPairs; −1: none
         std::size_t link = 0;
+    };
+    /// Successive rows of the same two bodies.
+    struct Group {
+        std::size_t first = 0;
+        int count = 0;
+        bool bent = false;  // at least one of their laws must be evaluated itself
     };
     /// Bounds of a force while the others are as they are [N].
     struct Range {
@@ -105,11 +121,16 @@ private:
 
     void scaleBlocks();
     void addRow(std::size_t link, int pair);
-    void scaleGradient(Row& row) const;
+    void scaleGradient(std::size_t link, Row& row) const;
+    void group();
     void move(const Row& row, double force);
-    Range range(std::size_t n, const std::vector<double>& forces) const;
-    Range bentRange(std::size_t n, const std::vector<double>& forces) const;
-    double bentForce(const Row& row, double free, double force);
+    Range range(std::size_t n, const double* forces) const;
+    Range flatRange(std::size_t n, double previous) const;
+    Range bentRange(std::size_t n, const double* forces) const;
+    double bentForce(std::size_t n, double free, double force);
+    template <int Count>
+    Change sweepGroup(std::size_t first, double* forces, double* changes);
+    Change sweepBent(std::size_t n, double* forces, double* changes);
     void holdChains(const Trial& from);
     void sweepChains();
 
@@ -118,6 +139,8 @@ private:
     bool possible_ = true;
     std::vector<Matrix6> scales_;  // per block: L⁻¹; columns of prescribed unknowns are zero
     std::vector<Row> rows_;  // each normal force before its friction
+    std::vector<Source> sources_;  // per row
+    std::vector<Group> groups_;  // of all rows, in their order
     std::vector<FlatBounds> bounds_;  // per row; apart from it, for the loops that only limit the forces
     std::vector<double> bentStrains_;  // per row
     Eigen::VectorXd driven_;  // prescribed displacements (padded)
