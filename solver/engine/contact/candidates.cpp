@@ -219,7 +219,7 @@ std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotio
 }
 
 Standings::Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts)
-    : blocks_(blocks), first_(blocks.size() + 1, 0) {
+    : first_(blocks.size() + 1, 0) {
     const auto supports = [](const Contact& c) { return c.normalForce > 0.0 || c.bonded; };
     for (const Contact& c : contacts)
         if (supports(c)) first_[c.blockA + 1] += 1, first_[c.blockB + 1] += 2;
@@ -231,19 +231,17 @@ Standings::Standings(const Model& model, const std::vector<BlockMotion>& blocks,
         const std::vector<int>& turns = model.blocks[c.blockB].turns;
         const auto start = std::lower_bound(turns.begin(), turns.end(), c.edge);
         const int end = start + 1 >= turns.end() ? turns.front() : *(start + 1);
-        entries_[next[c.blockA]++] = {c.corner, c.blockB, c.edge};
-        for (const int corner : {c.edge, end}) entries_[next[c.blockB]++] = {corner, c.blockB, c.edge};
+        const Point outward = edgeOf(blocks[c.blockB].corners, c.edge).outward;
+        entries_[next[c.blockA]++] = {c.corner, outward};
+        for (const int corner : {c.edge, end}) entries_[next[c.blockB]++] = {corner, -outward};
     }
 }
 
 bool Standings::holdsUp(int block, int corner, const Point& normal) const {
     return std::any_of(entries_.begin() + static_cast<std::ptrdiff_t>(first_[block]),
                        entries_.begin() + static_cast<std::ptrdiff_t>(first_[block + 1]), [&](const Entry& e) {
-                           if (e.corner != corner) return false;
-                           // the face of the block itself, or one that supports it
-                           const double sign = e.faceOf == block ? -1.0 : 1.0;
-                           const Point outward = sign * edgeOf(blocks_[e.faceOf].corners, e.edge).outward;
-                           return outward.dot(normal) > 0.0 && std::abs(cross(outward, normal)) <= angleSlack;
+                           return e.corner == corner && e.outward.dot(normal) > 0.0 &&
+                                  std::abs(cross(e.outward, normal)) <= angleSlack;
                        });
 }
 

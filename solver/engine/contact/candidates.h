@@ -55,7 +55,6 @@ struct NearEdge {
 /// Supported corners: for each contact that is compressed or bonded, its corner and both ends of its edge.
 class Standings {
 public:
-    /// \param blocks must outlive the object and must not change.
     Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
 
     /// True if the corner is supported by a face whose outward normal is `normal` to within 3°.
@@ -64,10 +63,9 @@ public:
 private:
     struct Entry {
         int corner = -1;
-        int faceOf = -1, edge = -1;  // the edge of the contact and its block
+        Point outward{0.0, 0.0};  // normal of the face that supports the corner or, at an end of that face, opposite to it
     };
 
-    const std::vector<BlockMotion>& blocks_;
     std::vector<std::size_t> first_;  // per block: its first entry; then the number of entries
     std::vector<Entry> entries_;
 };
