@@ -33,7 +33,7 @@ struct StepWork {
 inline double workOf(const StepWork& w) {
     return static_cast<double>(w.fullFactorizations) + 0.006 * static_cast<double>(w.ranks) +
            0.07 * static_cast<double>(w.solves) + 0.01 * static_cast<double>(w.products) +
-           0.035 * static_cast<double>(w.sweeps);
+           0.02 * static_cast<double>(w.sweeps);
 }
 
 }  // namespace keyblock

@@ -6,18 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace keyblock {
 namespace {
 
-// Maximum number of sweeps before a factorization, which costs as much as 30 of them: in many steps a few are enough; in
-// those that are swept again, every further factorization costs more
-constexpr int mostAtFirst = 36, mostAgain = 72;
+// Maximum number of sweeps before a factorization, which costs as much as 50 of them. In motion, forces that have settled
+// leave fewer further iterations, each of which may need another factorization. In a search for equilibrium, sweeps
+// seldom help.
+constexpr int mostInMotion = 120, mostInSearch = 36;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
-constexpr int mixedSweeps = 5;  // number of sweeps combined by Anderson mixing
+constexpr int mixedSweeps = 4;  // number of sweeps combined by Anderson mixing
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
 constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
 
@@ -25,7 +25,7 @@ constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used 
 
 DualSweeps::DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried)
     : problem_(problem), rows_(rows), swept_(problem, rows), forces_(swept_.count()), isSwept_(rows.count(), 0),
-      mixing_(mixedSweeps) {
+      mixing_(mixedSweeps), most_(problem.mayLeave.empty() ? mostInMotion : mostInSearch) {
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         forces_[n] = carried[swept_.linkOf(n)];
         isSwept_[swept_.linkOf(n)] = 1;
@@ -77,7 +77,6 @@ std::optional<Eigen::VectorXd> DualSweeps::sweep(const Trial& from, double toler
     swept_.clipAndPlace(forces_);
     mixing_ = AndersonMixing(mixedSweeps);
     made_ = 0;
-    most_ = std::exchange(again_, true) ? mostAgain : mostAtFirst;
     do sweepOnce(work);
     while (!isSettled() && made_ < most_);
     if (!isSettled() || swept_.hasChains()) return std::nullopt;

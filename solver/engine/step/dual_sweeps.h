@@ -82,7 +82,6 @@ private:
     const LinkRows& rows_;
     SweptLinks swept_;
     bool possible_ = true;
-    bool again_ = false;  // `solve` has been called before
     std::vector<double> forces_;  // per swept link, not multiplied by `Law::share` [N]
     std::vector<char> isSwept_;  // per link
     std::vector<Straight> laws_;  // per link, after the last sweep

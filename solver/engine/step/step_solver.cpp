@@ -26,7 +26,7 @@ constexpr double improves = 0.2;
 constexpr int patience = 20;
 constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 // maximum number of times that sweeps are tried in a step, and that they fail
-constexpr int mostSweeps = 8, mostUseless = 2;
+constexpr int mostTries = 8, mostUseless = 2;
 constexpr int mostJudged = 3;  // maximum number of displacements under swept forces that are tried in succession
 constexpr double furtherShare = 0.5;  // of the tolerance: residual that further sweeps should leave
 constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
@@ -152,7 +152,7 @@ private:
         return law.leastTangent > 0.0 && trial_.laws[i].tangent < law.stiffness;
     }
 
-    bool maySweep() const { return tries_ < mostSweeps && report_.passes >= settings_.sweepsFrom; }
+    bool maySweep() const { return tries_ < mostTries && report_.passes >= settings_.sweepsFrom; }
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 
@@ -192,7 +192,7 @@ private:
 
     void iterate() {
         if (swept_) judgeSweeps();
-        if (sweeps_ && tries_ < mostSweeps) return sweep();
+        if (sweeps_ && tries_ < mostTries) return sweep();
         step();
         if (isCompared() && report_.passes == 0 && report_.residual > easy) sweeps_ = stalled_ = true;
     }
@@ -213,7 +213,7 @@ private:
         if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix_, report_.work);
         swept_ = d.has_value();
         if (!d) {
-            tries_ = mostSweeps;
+            tries_ = mostTries;
             if (report_.passes == 0) dropFirstSweeps();
         }
         judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
@@ -241,7 +241,7 @@ private:
             return;
         }
         judge(trialAt(problem_, rows_, std::move(beforeSweeps_.d)));
-        if (++useless_ >= mostUseless) tries_ = mostSweeps;
+        if (++useless_ >= mostUseless) tries_ = mostTries;
         if (report_.passes == 1) dropFirstSweeps();
     }
 

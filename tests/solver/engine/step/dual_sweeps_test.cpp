@@ -14,7 +14,10 @@
 #include "solver/files/scene/bolt_library.h"
 #include "solver/verify/scenes.h"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace keyblock {
 namespace {
@@ -38,6 +41,49 @@ Bolt rebar(Point farEnd, Point head) {
     bolt.head = head;
     bolt.divisions = 12;
     return bolt;
+}
+
+/// A plain Gauss–Seidel sweep: for each link in turn, solves for the displacements of both bodies under all other forces
+/// and sets its force to the one that fits its law together with the displacement that it causes.
+std::vector<double> plainSweep(const StepProblem& problem, const SweptLinks& swept, std::vector<double> forces) {
+    const auto compliant = [&](int body, const Vector6& force) -> Vector6 {
+        if (body < 0) return Vector6::Zero();
+        Matrix6 stiffness = problem.blockStiffness[body];
+        Vector6 acting = force;
+        for (int k = 0; k < 6; ++k)
+            if (problem.known[6 * body + k]) {
+                stiffness.row(k).setZero(), stiffness.col(k).setZero();
+                stiffness(k, k) = 1.0, acting[k] = 0.0;
+            }
+        return stiffness.ldlt().solve(acting);
+    };
+    const auto displaced = [&](int body, std::size_t without) {
+        Vector6 force = Vector6::Zero();
+        if (body >= 0) force = problem.load.segment<6>(6 * body);
+        for (std::size_t m = 0; m < forces.size(); ++m) {
+            const Link& link = problem.links[swept.linkOf(m)];
+            if (m == without) continue;
+            if (link.a == body) force -= link.law.share * forces[m] * link.ga;
+            if (link.b == body) force -= link.law.share * forces[m] * link.gb;
+        }
+        return compliant(body, force);
+    };
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+        const std::size_t i = swept.linkOf(n);
+        const Link& link = problem.links[i];
+        const double free = link.strain + link.shift + link.ga.dot(displaced(link.a, n)) +
+                            (link.b >= 0 ? link.gb.dot(displaced(link.b, n)) : 0.0);
+        const double compliance = link.law.share * (link.ga.dot(compliant(link.a, link.ga)) +
+                                                    (link.b >= 0 ? link.gb.dot(compliant(link.b, link.gb)) : 0.0));
+        const double trial = link.law.stiffness * (free - link.law.offset) / (1.0 + link.law.stiffness * compliance);
+        const auto pair = std::ranges::find(problem.limitPairs, static_cast<int>(i), &LimitPair::limited);
+        if (pair == problem.limitPairs.end()) forces[n] = std::min(trial, 0.0);
+        else {
+            const double limit = pair->base + std::max(0.0, -pair->factor * forces[n - 1]);
+            forces[n] = std::clamp(trial, -limit, limit);
+        }
+    }
+    return forces;
 }
 
 /// Three boxes on three, half a box apart, on a fixed base.
@@ -83,6 +129,28 @@ void expectToFindTheStates(const Model& model) {
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         ASSERT_TRUE(StepSolver().solve(again, d, {.tolerance = 1e-9}, {}).converged) << static_cast<int>(inertia);
         EXPECT_LE((unpadded(trial.d) - d).norm(), 1e-3 * d.norm()) << static_cast<int>(inertia);
+    }
+}
+
+TEST(SweptLinks, OfTwoBlocksAreVisitedTogetherWithTheResultOfOneAfterTheOther) {
+    const Model model = wallModel();
+    StepProblem problem = slidingWall(model, {Inertia::Shi, 1e-3});
+    const LinkRows rows(problem);
+    SweptLinks swept(problem, rows);
+    swept.hold(padded(problem.load), trialAt(problem, rows, Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding)));
+    std::vector<double> forces(swept.count());
+    for (std::size_t n = 0; n < forces.size(); ++n) forces[n] = -1e3 * static_cast<double>(n % 7);
+    swept.clipAndPlace(forces);
+    Eigen::VectorXd changes;
+    for (int sweep = 0; sweep < 3; ++sweep) {
+        const std::vector<double> before = forces, expected = plainSweep(problem, swept, forces);
+        swept.sweep(forces, changes);
+        const double largest = std::abs(std::ranges::min(expected));
+        EXPECT_GT(largest, 1e3);
+        for (std::size_t n = 0; n < forces.size(); ++n) {
+            EXPECT_NEAR(forces[n], expected[n], 1e-9 * largest) << "link " << swept.linkOf(n) << " in sweep " << sweep;
+            EXPECT_EQ(changes[static_cast<Eigen::Index>(n)], forces[n] - before[n]);
+        }
     }
 }
 
