@@ -14,7 +14,7 @@ struct StepWork {
     long ranks = 0;  // sum of the ranks of all rank updates
     long solves = 0;  // back-substitutions
     long products = 0;  // matrix–vector products, and loops over all strains or forces
-    long sweeps = 0;  // Gauss–Seidel sweeps over the contact forces, each with the mixing of forces before it
+    long sweeps = 0;  // Gauss–Seidel sweeps over the contact forces, including the mixing of forces
 
     StepWork& operator+=(const StepWork& other) {
         factorizations += other.factorizations;

@@ -63,7 +63,7 @@ public:
 private:
     struct Entry {
         int corner = -1;
-        Point outward{0.0, 0.0};  // normal of the face that supports the corner or, at an end of that face, opposite to it
+        Point outward{0.0, 0.0};  // normal of the supporting face or, for an end of that face, its opposite
     };
 
     std::vector<std::size_t> first_;  // per block: its first entry; then the number of entries

@@ -10,7 +10,8 @@ namespace keyblock {
 namespace {
 
 constexpr double changedAstray = 2.0;  // times the previous change: the stored iterations are then of no use
-constexpr double regular = 1e-10;  // relative increase of the diagonal of the normal equations
+// increase of the diagonal of the normal equations: relative to it, and to the products from whose differences it follows
+constexpr double regular = 1e-10, roundingShare = 1e-15;
 constexpr int beforeFirst = 3, between = 2;  // iterations before the first mixing, and between two of them
 
 }  // namespace
@@ -54,7 +55,7 @@ Eigen::VectorXd AndersonMixing::weights() const {
         for (int j = 0; j < n; ++j)
             normal(i, j) = product(i + 1, j + 1) - product(i + 1, j) - product(i, j + 1) + product(i, j);
     }
-    normal.diagonal() *= 1.0 + regular;
+    for (int i = 0; i < n; ++i) normal(i, i) += regular * normal(i, i) + roundingShare * product(i, i);
     const Eigen::VectorXd shares = normal.ldlt().solve(right);
     Eigen::VectorXd result = Eigen::VectorXd::Zero(kept_);
     result[column(n)] = 1.0;

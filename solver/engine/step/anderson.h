@@ -19,8 +19,8 @@ public:
     /// \param remembered number of differences between successive iterates that are combined.
     explicit AndersonMixing(int remembered);
 
-    /// Records an iteration. After every second one, the result is replaced by the mixed iterate from which the next
-    /// iteration should start.
+    /// Records an iteration. After every second one, at first after the third, the result is replaced by the mixed iterate
+    /// from which the next iteration should start.
     /// \param change the change of the iterate in this iteration.
     /// \param after the iterate at the end of the iteration; receives the mixed iterate.
     /// \param linear quantities that depend linearly on the iterate; they are mixed with the same weights.

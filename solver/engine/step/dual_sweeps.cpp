@@ -17,7 +17,7 @@ constexpr int mostInMotion = 120, mostInSearch = 36;
 constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
-constexpr int mixedSweeps = 4;  // number of sweeps combined by Anderson mixing
+constexpr int mixedSweeps = 4;  // number of differences between successive sweeps that Anderson mixing combines
 constexpr double slidingFrom = 1.0 - 1e-9;  // fraction of the friction limit
 constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used if nothing else restrains a body
 
@@ -41,8 +41,8 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
     return forces;
 }
 
-/// Makes a sweep from the mixed forces of those before. Mixed forces may be outside the ranges of their laws until the
-/// sweep visits them.
+/// Makes a sweep from the forces of the last one or from mixed forces. Mixed forces may be outside the ranges of their
+/// laws until the sweep visits them.
 void DualSweeps::sweepOnce(StepWork& work) {
     if (made_ > 0) mixing_.mix(changes_, forces_, swept_.placed());
     last_ = swept_.sweep(forces_, changes_);
@@ -57,16 +57,17 @@ double DualSweeps::mismatch() const {
     return last_.forces > 0.0 ? swept_.mismatch(changes_) / std::sqrt(last_.forces) : 0.0;
 }
 
-/// Sweeps until the mismatch is no larger than `most`. Gives up if the last sweeps show that it would take many more.
+/// Sweeps until the mismatch is no larger than `most`. Gives up if the last two sweeps, of which one followed a mixing,
+/// show that it would take many more.
 std::optional<Eigen::VectorXd> DualSweeps::sweepDownTo(double most, StepWork& work) {
-    double before = 0.0;
+    double last = 0.0, lastButOne = 0.0;
     for (int further = 0;; ++further) {
         const double now = mismatch();
         if (now <= most) return swept_.displacement();
         const int left = std::min(mostFurther - further, most_ - made_);
-        const double decrease = further > 0 ? now / before : quickDecrease;
+        const double decrease = lastButOne > 0.0 ? std::sqrt(now / lastButOne) : quickDecrease;
         if (left <= 0 || !(now * std::pow(decrease, left) <= most)) return std::nullopt;
-        before = now;
+        lastButOne = std::exchange(last, now);
         sweepOnce(work);
     }
 }

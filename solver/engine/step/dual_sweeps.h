@@ -10,10 +10,10 @@
 // The links are visited in Gauss–Seidel sweeps. Each force is set to the value that
 // its law gives as the two bodies respond to it with their own inertia and elasticity;
 // friction is limited by the current normal force (Jourdan, Alart and Jean 1998). All
-// sweeps run in the same direction and are combined by Anderson mixing (1965). The
-// bodies are in equilibrium under the forces at all times. Bolt nodes have too little
-// mass for this method; bolts yield with the tangents of the trial from which the
-// sweeps start.
+// sweeps run in the same direction; after every second one they are combined by
+// Anderson mixing (1965). After each group of links between two bodies, the bodies are
+// in equilibrium under the forces. Bolt nodes have too little mass for this method;
+// bolts yield with the tangents of the trial from which the sweeps start.
 //
 // In short time steps inertia is about as stiff as the contacts. The displacement under
 // the swept forces is then the solution, and no matrix needs to be factored (not in

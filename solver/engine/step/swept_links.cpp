@@ -72,7 +72,7 @@ SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links)
         const std::size_t next = follower[i];
         addRow(next, pairOf[next]);
     }
-    group();
+    makeGroups();
     bentStrains_.assign(rows_.size(), 0.0);
     for (std::size_t n = 0; n < rows_.size(); ++n) bentStrains_[n] = sources_[n].start;
 }
@@ -109,8 +109,8 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     if (law.bounds.follows) bounds_.back().low = -law.bounds.high;
 }
 
-/// Sets the scaled gradient of a row. The body with the smaller unknowns comes first, so that all contacts of two
-/// bodies form a group, whichever of them has the corner.
+/// Sets the scaled gradient of a row. The body with the smaller unknowns comes first, so that contacts of two bodies
+/// can form a group, whichever of them has the corner.
 void SweptLinks::scaleGradient(std::size_t n, Row& row) const {
     const Link& link = problem_.links[n];
     const auto scale = [&](int body, int at) {
@@ -125,7 +125,7 @@ void SweptLinks::scaleGradient(std::size_t n, Row& row) const {
 }
 
 /// Divides the rows into groups, and finds how the rows of each affect each other.
-void SweptLinks::group() {
+void SweptLinks::makeGroups() {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const bool continues = n > 0 && groups_.back().count < mostInGroup && rows_[n - 1].firstA == rows_[n].firstA &&
                                rows_[n - 1].firstB == rows_[n].firstB;
@@ -283,6 +283,10 @@ SweptLinks::Change SweptLinks::sweepBent(std::size_t n, double* forces, double* 
     const Row& row = rows_[n];
     const Range within = bentRange(n, forces);
     const double before = forces[n];
+    if (within.high == 0.0 && within.low == 0.0 && before == 0.0) {
+        changes[n] = 0.0;
+        return {};
+    }
     const Eigen::Map<const Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
     const GradientMap gradient(row.gradient.data());
     const double free = sources_[n].start + gradient.head<6>().dot(a) + gradient.tail<6>().dot(b) +

@@ -80,7 +80,7 @@ public:
     double tangent(std::size_t n) const;
 
 private:
-    static constexpr int mostInGroup = 4;  // as of two corners: each with a normal force and friction
+    static constexpr int mostInGroup = 4;  // e.g. two contacts, each with a normal force and friction
 
     /// What a sweep reads of a swept link, in addition to its bounds. A link has the force trial = `base` + `own`·force +
     /// `gain`·gradient·x if it is within its bounds; x are the scaled displacements, including those due to its force.
@@ -93,7 +93,7 @@ private:
         std::array<double, mostInGroup - 1> onNext{};
         int firstA = 0, firstB = 0;  // first unknowns of the two bodies
     };
-    /// The rest of a swept link.
+    /// Data of a swept link that a sweep needs only if its law is bent.
     struct Source {
         double start = 0.0;  // strain at zero scaled displacement
         double compliance = 0.0;  // strain per unit force
@@ -122,7 +122,7 @@ private:
     void scaleBlocks();
     void addRow(std::size_t link, int pair);
     void scaleGradient(std::size_t link, Row& row) const;
-    void group();
+    void makeGroups();
     void move(const Row& row, double force);
     Range range(std::size_t n, const double* forces) const;
     Range flatRange(std::size_t n, double previous) const;
