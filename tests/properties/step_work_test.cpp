@@ -114,7 +114,8 @@ TEST(StepWork, SlidingWallWithBoltsTakesAQuarterMoreAtMost) {
         bolt.name = "R" + std::to_string(i + 1);
         bolt.type = "rebar-20";
         bolt.divisions = 60;
-        bolt.farEnd = {1.27 + 1.8 * (i % 10), 1.585 + 2.75 * (i / 10)};
+        const int column = i % 10, row = i / 10;
+        bolt.farEnd = {1.27 + 1.8 * column, 1.585 + 2.75 * row};
         bolt.head = bolt.farEnd + Point(1.2, 0.31);
         bolted.bolts.push_back(bolt);
     }

@@ -34,7 +34,7 @@ StepProblem slidingWall(const Model& model, const StepOptions& options) {
     return buildStep(model, state, Loads{}, at, options);
 }
 
-Bolt rebar(Point farEnd, Point head) {
+Bolt rebar(const Point& farEnd, const Point& head) {
     Bolt bolt;
     bolt.type = "rebar-20";
     bolt.farEnd = farEnd;
@@ -137,7 +137,8 @@ TEST(SweptLinks, OfTwoBlocksAreVisitedTogetherWithTheResultOfOneAfterTheOther) {
     StepProblem problem = slidingWall(model, {Inertia::Shi, 1e-3});
     const LinkRows rows(problem);
     SweptLinks swept(problem, rows);
-    swept.hold(padded(problem.load), trialAt(problem, rows, Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding)));
+    swept.hold(padded(problem.load),
+               trialAt(problem, rows, Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding)));
     std::vector<double> forces(swept.count());
     for (std::size_t n = 0; n < forces.size(); ++n) forces[n] = -1e3 * static_cast<double>(n % 7);
     swept.clipAndPlace(forces);
