@@ -93,7 +93,7 @@ private:
         std::array<double, mostInGroup - 1> onNext{};
         int firstA = 0, firstB = 0;  // first unknowns of the two bodies
     };
-    /// Data of a swept link that a sweep needs only if its law is bent.
+    /// Other data of a swept link. In a sweep they are needed only if its law is bent.
     struct Source {
         double start = 0.0;  // strain at zero scaled displacement
         double compliance = 0.0;  // strain per unit force
