@@ -9,11 +9,11 @@
 
 #include "solver/run/members.h"
 
+#include <boost/container/flat_set.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -304,7 +304,9 @@ inline constexpr auto rows<Reference> = std::tuple{
 template <>
 inline constexpr auto rows<WatchMemory> = std::tuple{
     each("closed", &WatchMemory::closed,
-         [](const Facts& f, const WatchMemory& m, const auto& entry) { return arePairs(f, m, entry.first); }),
+         [](const Facts& f, const WatchMemory& m, const ClosedJoint& joint) {
+             return arePairs(f, m, joint.blocks) && arePairs(f, m, joint.bodies);
+         }),
     each("slipped", &WatchMemory::slipped, arePairs), each("opened", &WatchMemory::opened, arePairs),
     row("inhabited", &WatchMemory::inhabited, [](const Facts& f, const WatchMemory& m) {
         return m.inhabited.size() == f.model.bolts.size() &&
@@ -392,9 +394,7 @@ inline constexpr bool isCounted = std::is_integral_v<T> && !std::is_same_v<T, bo
 template <typename... T>
 inline constexpr bool isCounted<std::vector<T...>> = true;
 template <typename... T>
-inline constexpr bool isCounted<std::set<T...>> = true;
-template <typename... T>
-inline constexpr bool isCounted<std::map<T...>> = true;
+inline constexpr bool isCounted<boost::container::flat_set<T...>> = true;
 template <typename T, std::size_t n>
 inline constexpr bool isCounted<std::array<T, n>> = std::is_integral_v<T>;
 
@@ -429,11 +429,7 @@ public:
         return allFit(values);
     }
     template <typename T>
-    bool fits(const std::set<T>& values) {
-        return allFit(values);
-    }
-    template <typename K, typename T>
-    bool fits(const std::map<K, T>& values) {
+    bool fits(const boost::container::flat_set<T>& values) {
         return allFit(values);
     }
     template <typename T, std::size_t n>

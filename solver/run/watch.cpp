@@ -19,15 +19,35 @@ bool isClosed(const Model& model, const Contact& c) {
     return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= 10.0 * model.tolerance;
 }
 
-Event jointEvent(EventKind kind, const Contact& c) {
+bool slides(const Model& model, const Contact& c) {
+    return !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model.tolerance &&
+           std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
+}
+
+ClosedJoint closedJoint(const Pair& blocks, const Contact& c) {
+    return {blocks, std::minmax(c.blockA, c.blockB), c.position, c.normalForce, c.shearForce, c.slip};
+}
+
+/// Adds the joint to a sorted list if it is not in it. Contacts are sorted, too, but for those of blocks divided into
+/// cells.
+void addJoint(const Pair& blocks, const Contact& c, std::vector<ClosedJoint>& joints) {
+    auto at = joints.end();
+    if (!joints.empty() && !(joints.back().blocks < blocks)) {
+        at = std::ranges::lower_bound(joints, blocks, {}, &ClosedJoint::blocks);
+        if (at->blocks == blocks) return;
+    }
+    joints.insert(at, closedJoint(blocks, c));
+}
+
+Event jointEvent(EventKind kind, const ClosedJoint& joint) {
     Event event;
     event.kind = kind;
-    event.block = std::min(c.blockA, c.blockB);
-    event.otherBlock = std::max(c.blockA, c.blockB);
-    event.position = c.position;
-    event.axialForce = -c.normalForce;
-    event.shearForce = c.shearForce;
-    event.slip = c.slip;
+    event.block = joint.bodies.first;
+    event.otherBlock = joint.bodies.second;
+    event.position = joint.position;
+    event.axialForce = -joint.normalForce;
+    event.shearForce = joint.shearForce;
+    event.slip = joint.slip;
     return event;
 }
 
@@ -73,7 +93,7 @@ void Watch::beginStage(const State& state) const {
     memory_.opened.clear();
     memory_.closed.clear();
     for (const Contact& c : state.contacts)
-        if (isClosed(model_, c)) memory_.closed.try_emplace(pairOf(model_, c), c);
+        if (isClosed(model_, c)) addJoint(pairOf(model_, c), c, memory_.closed);
 }
 
 void Watch::remember(const Event& event) const {
@@ -85,16 +105,7 @@ void Watch::remember(const Event& event) const {
 
 /// Joints between blocks that sleep are as they were and are not looked at.
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
-    const auto rests = [&](int block) { return model_.blocks[block].fixed || state.blocks[block].rest.asleep; };
-    std::vector<Pair> now;  // sorted
-    // contacts are sorted by pair, but for those of blocks divided into cells
-    const auto isFirst = [&](const Pair& pair) {
-        const auto at = now.empty() || now.back() < pair ? now.end() : std::lower_bound(now.begin(), now.end(), pair);
-        if (at != now.end() && *at == pair) return false;
-        now.insert(at, pair);
-        return true;
-    };
-    auto hint = memory_.closed.begin();
+    std::vector<ClosedJoint> now;
     auto known = memory_.slipped.begin();
     const auto isNew = [&](const Pair& pair) {  // contacts are sorted, so `known` mostly moves on by one
         if (known != memory_.slipped.begin() && !(*std::prev(known) < pair)) known = memory_.slipped.lower_bound(pair);
@@ -102,25 +113,47 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
         return known == memory_.slipped.end() || *known != pair;
     };
     for (const Contact& c : state.contacts) {
-        if ((rests(c.blockA) && rests(c.blockB)) || !isClosed(model_, c)) continue;
+        if (rest(state, {c.blockA, c.blockB}) || !isClosed(model_, c)) continue;
         const Pair pair = pairOf(model_, c);
-        if (isFirst(pair)) hint = std::next(memory_.closed.insert_or_assign(hint, pair, c));
-        const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
-                            std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
-        if (!slides || !isNew(pair)) continue;
+        addJoint(pair, c, now);
+        if (!slides(model_, c) || !isNew(pair)) continue;
         known = memory_.slipped.insert(known, pair);
-        events.push_back(jointEvent(EventKind::JointSlip, c));
+        events.push_back(jointEvent(EventKind::JointSlip, closedJoint(pair, c)));
     }
-    std::erase_if(memory_.closed, [&](const auto& entry) {
-        const auto& [pair, contact] = entry;
-        if ((rests(pair.first) && rests(pair.second)) || std::binary_search(now.begin(), now.end(), pair)) return false;
-        if (!memory_.opened.insert(pair).second) return true;
-        const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
-                                        [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
-        // if the contact is no longer in the contact list, its last known position is reported
-        events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
-        return true;
-    });
+    lookForOpenings(state, now, events);
+}
+
+/// \param now the closed joints between blocks that do not rest.
+void Watch::lookForOpenings(const State& state, const std::vector<ClosedJoint>& now, std::vector<Event>& events) const {
+    std::vector<ClosedJoint> added;
+    auto next = now.begin();
+    auto kept = memory_.closed.begin();
+    for (const ClosedJoint& before : memory_.closed) {
+        while (next != now.end() && next->blocks < before.blocks) added.push_back(*next++);
+        if (next != now.end() && next->blocks == before.blocks) *kept++ = *next++;
+        else if (rest(state, before.blocks)) *kept++ = before;
+        else reportOpening(state, before, events);
+    }
+    memory_.closed.erase(kept, memory_.closed.end());
+    added.insert(added.end(), next, now.end());
+    const auto middle = memory_.closed.insert(memory_.closed.end(), added.begin(), added.end());
+    std::ranges::inplace_merge(memory_.closed, middle, {}, &ClosedJoint::blocks);
+}
+
+/// Reports a joint that has opened, once in a stage, with the forces of a contact that is still near or else the last
+/// known ones.
+void Watch::reportOpening(const State& state, const ClosedJoint& before, std::vector<Event>& events) const {
+    if (!memory_.opened.insert(before.blocks).second) return;
+    const auto still = std::ranges::find_if(
+        state.contacts, [&](const Contact& c) { return pairOf(model_, c) == before.blocks; });
+    const bool isNear = still != state.contacts.end();
+    events.push_back(jointEvent(EventKind::JointOpen, isNear ? closedJoint(before.blocks, *still) : before));
+}
+
+/// True if both blocks are fixed or asleep.
+bool Watch::rest(const State& state, const Pair& blocks) const {
+    const auto rests = [&](int block) { return model_.blocks[block].fixed || state.blocks[block].rest.asleep; };
+    return rests(blocks.first) && rests(blocks.second);
 }
 
 void Watch::lookForFalls(State& state, std::vector<Event>& events) const {

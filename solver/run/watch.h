@@ -8,18 +8,27 @@
 
 #include "solver/engine/model/state.h"
 
-#include <map>
-#include <set>
+#include <boost/container/flat_set.hpp>
+
 #include <utility>
 #include <vector>
 
 namespace keyblock {
 
+/// A closed joint and its first contact.
+struct ClosedJoint {
+    std::pair<int, int> blocks{-1, -1};  // smaller index first
+    std::pair<int, int> bodies{-1, -1};  // the blocks or cells that touch, smaller index first
+    Point position{0.0, 0.0};  // of the contact [m]
+    double normalForce = 0.0, shearForce = 0.0;  // of the contact, compression positive [N]
+    double slip = 0.0;  // of the contact [m]
+};
+
 /// Earlier observations. A joint is identified by the indices of its two blocks. Part of the checkpoint.
 struct WatchMemory {
     using Pair = std::pair<int, int>;
-    std::map<Pair, Contact> closed;  // joints closed at the latest check, with the first contact of each at that time
-    std::set<Pair> slipped, opened;  // joints whose slip or opening was reported in this stage
+    std::vector<ClosedJoint> closed;  // joints closed at the latest check, sorted by `blocks`
+    boost::container::flat_set<Pair> slipped, opened;  // joints whose slip or opening was reported in this stage
     std::vector<std::vector<char>> inhabited;  // per bolt and borehole slot: whether it has ever contained a node
 };
 
@@ -39,6 +48,9 @@ public:
 
 private:
     void lookAtJoints(const State& state, std::vector<Event>& events) const;
+    void lookForOpenings(const State& state, const std::vector<ClosedJoint>& now, std::vector<Event>& events) const;
+    void reportOpening(const State& state, const ClosedJoint& before, std::vector<Event>& events) const;
+    bool rest(const State& state, const WatchMemory::Pair& blocks) const;
     void lookForFalls(State& state, std::vector<Event>& events) const;
     void lookForPulledOut(State& state, std::vector<Event>& events) const;
 

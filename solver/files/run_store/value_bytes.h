@@ -8,12 +8,12 @@
 
 #include "solver/run/members.h"
 
+#include <boost/container/flat_set.hpp>
+
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -35,9 +35,7 @@ public:
     template <typename T>
     void put(const std::vector<T>& values) { putAll(values); }
     template <typename T>
-    void put(const std::set<T>& values) { putAll(values); }
-    template <typename K, typename T>
-    void put(const std::map<K, T>& values) { putAll(values); }
+    void put(const boost::container::flat_set<T>& values) { putAll(values); }
     template <typename T, std::size_t n>
     void put(const std::array<T, n>& values) {
         for (const T& value : values) put(value);
@@ -95,14 +93,8 @@ public:
     template <typename T>
     void get(std::vector<T>& values) { getAll(values); }
     template <typename T>
-    void get(std::set<T>& values) {
+    void get(boost::container::flat_set<T>& values) {
         std::vector<T> sorted;
-        getAll(sorted);
-        values = {sorted.begin(), sorted.end()};
-    }
-    template <typename K, typename T>
-    void get(std::map<K, T>& values) {
-        std::vector<std::pair<K, T>> sorted;
         getAll(sorted);
         values = {sorted.begin(), sorted.end()};
     }
