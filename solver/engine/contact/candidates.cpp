@@ -19,6 +19,7 @@ constexpr double deepest = 0.25;  // of the block's size: a deeper corner is not
 constexpr double pressed = 1e-3;  // of the smaller block's size: a corner no deeper than this may press on the edge
 constexpr double sliver = -0.9;  // largest cosine between the outward normals of a sliver's two long sides
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// An edge that a corner is in front of, at present or along its path.
 struct Faced {
@@ -28,8 +29,10 @@ struct Faced {
     const Edge* edge = nullptr;
     bool flush = false;  // `Entrance::goesOn`, where there are several such edges
 
+    bool isBehind() const { return gap <= 0.0; }
+
     /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
-    double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
+    double crossing() const { return isBehind() ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
 };
 
 using FacedEdges = boost::container::small_vector<Faced, 4>;  // seldom more
@@ -100,17 +103,19 @@ bool isInFront(const Edge& edge, double along, const Point& moves, double over) 
     return std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
 }
 
-/// The near edges that a corner is in front of. \param byPath set to true if, on another path within the margin, the
-/// corner may be in front of other edges.
+/// The near edges that a corner is in front of. \param room reduced to the change of the path from which on the corner
+/// may be in front of other edges [m].
 FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, std::span<const NearEdge> near,
-                      bool& byPath) {
+                      double& room) {
     const Point moves = movesOf(search, a, corner, b);
     const double over = search.slack(a, b);
     FacedEdges faced;
     for (const NearEdge& one : near) {
         if (one.behind && !isPressed(search, a, corner, b, one.turn, one.gap)) continue;
         const Edge& edge = search.outlines[b].runs[one.turn];
-        byPath = byPath || one.along < -over || one.along > edge.length + over;
+        const double alongEnd = one.along + edge.along.dot(moves);
+        if (one.along < -over) room = std::min(room, std::abs(alongEnd + over));
+        else if (one.along > edge.length + over) room = std::min(room, std::abs(alongEnd - edge.length - over));
         if (isInFront(edge, one.along, moves, over))
             faced.push_back({one.turn, one.gap, one.along, one.gap + edge.outward.dot(moves), &edge});
     }
@@ -138,6 +143,25 @@ public:
             return tx > ty;
         }
         return std::tuple(-x.gapEnd, x.turn) < std::tuple(-y.gapEnd, y.turn);
+    }
+
+    /// Change of the path [m] up to which it certainly enters through the same one of the two.
+    double room(const Faced& x, const Faced& y) const {
+        if (search_.estimated) return 0.0;
+        if (x.flush != y.flush) return unlimited;
+        if (!x.isBehind() && !y.isBehind()) return 0.0;
+        const double apart = 0.5 * std::abs(x.gapEnd - y.gapEnd);
+        if (x.isBehind() && y.isBehind()) return carries(x) != carries(y) ? unlimited : apart;
+        const Faced &behind = x.isBehind() ? x : y, &ahead = x.isBehind() ? y : x;
+        if (ahead.gap > 2.0 * over_) return unlimited;  // it enters through the edge that it is in front of
+        return std::max(ahead.gapEnd > behind.gapEnd ? apart : 0.0, ahead.gapEnd);
+    }
+
+    /// The same for whether it grazes the end of the edge.
+    double roomToGraze(const Faced& f) const {
+        const bool atEnd = std::min(std::abs(f.along), std::abs(f.edge->length - f.along)) <= over_;
+        const bool anyPath = !atEnd || f.gap < -search_.model.tolerance;
+        return anyPath ? unlimited : std::abs(f.gapEnd + search_.model.tolerance);
     }
 
     /// True if the corner, or the corner of B at the near end of the edge, already rests on something flush with this
@@ -189,6 +213,10 @@ private:
     int a_, corner_, b_;
     double over_;
 };
+
+std::pair<int, int> pairOf(const Contact& c) {
+    return {std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB)};
+}
 
 Candidate candidateOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
     const int edge = search.model.blocks[b].turns[faced.turn];
@@ -282,22 +310,25 @@ void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdg
     }
 }
 
-bool CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,
-                                   std::vector<Candidate>& found) const {
-    bool byPath = false;
-    FacedEdges faced = facedEdges(*this, a, corner, b, near, byPath);
+double CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,
+                                     std::vector<Candidate>& found) const {
+    double room = unlimited;
+    FacedEdges faced = facedEdges(*this, a, corner, b, near, room);
     const Entrance entrance(*this, a, corner, b);
     if (faced.size() > 1)
         for (Faced& one : faced) one.flush = entrance.goesOn(one);
-    for (const Faced& one : faced) {
-        const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
-            return other.turn != one.turn && !faceEachOther(*one.edge, *other.edge) && entrance.by(other, one);
-        });
-        if (!beaten && !entrance.grazes(one)) found.push_back(candidateOf(*this, a, corner, b, one));
-        const double fromEnd = std::min(std::abs(one.along), std::abs(one.edge->length - one.along));
-        byPath = byPath || fromEnd <= slack(a, b);
+    boost::container::small_vector<char, 4> beaten(faced.size(), 0);
+    for (std::size_t i = 0; i < faced.size(); ++i)
+        for (std::size_t j = i + 1; j < faced.size(); ++j) {
+            if (faceEachOther(*faced[i].edge, *faced[j].edge)) continue;
+            beaten[entrance.by(faced[i], faced[j]) ? j : i] = 1;
+            room = std::min(room, entrance.room(faced[i], faced[j]));
+        }
+    for (std::size_t i = 0; i < faced.size(); ++i) {
+        if (!beaten[i] && !entrance.grazes(faced[i])) found.push_back(candidateOf(*this, a, corner, b, faced[i]));
+        room = std::min(room, entrance.roomToGraze(faced[i]));
     }
-    return byPath || faced.size() > 1;
+    return room;
 }
 
 const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& place) {
@@ -306,11 +337,13 @@ const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& 
     return found != contacts.end() && ContactPlace(*found) == place ? &*found : nullptr;
 }
 
+std::span<const Contact> contactsOfPair(std::span<const Contact> contacts, const std::pair<int, int>& pair) {
+    const auto part = std::ranges::equal_range(contacts, pair, {}, pairOf);
+    return {part.begin(), part.end()};
+}
+
 std::vector<std::span<const Contact>> contactsOfPairs(std::span<const Contact> contacts,
                                                       std::span<const std::pair<int, int>> pairs) {
-    const auto pairOf = [](const Contact& c) {
-        return std::pair(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB));
-    };
     std::vector<std::span<const Contact>> parts;
     parts.reserve(pairs.size());
     auto next = contacts.begin();

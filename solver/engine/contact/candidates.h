@@ -55,6 +55,7 @@ struct NearEdge {
 /// Supported corners: for each contact that is compressed or bonded, its corner and both ends of its edge.
 class Standings {
 public:
+    Standings() = default;
     Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
 
     /// True if the corner is supported by a face whose outward normal is `normal` to within 3°.
@@ -91,8 +92,9 @@ struct CandidateSearch {
     void addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const;
 
     /// Adds corner `corner` of block A with each of the near edges of block B through which it would enter.
-    /// \return true if the result could be different for another path with relative displacements up to the margin.
-    bool addEntrances(int a, int corner, int b, std::span<const NearEdge> near, std::vector<Candidate>& found) const;
+    /// \return change of the relative displacement over the path up to which the result is certainly the same, if the
+    ///         path is within the margin [m]; infinite if it is the same for all these paths.
+    double addEntrances(int a, int corner, int b, std::span<const NearEdge> near, std::vector<Candidate>& found) const;
 };
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.
@@ -122,6 +124,10 @@ const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& 
 inline const Contact* sameContact(std::span<const Contact> contacts, const auto& place) {
     return contactAt(contacts, ContactPlace(place));
 }
+
+/// The part of the sorted list `contacts` that is between two blocks.
+/// \param pair the smaller number comes first.
+std::span<const Contact> contactsOfPair(std::span<const Contact> contacts, const std::pair<int, int>& pair);
 
 /// For each pair of blocks of a sorted list, the part of the sorted list `contacts` that is between them.
 /// \param pairs the smaller number of a pair comes first.

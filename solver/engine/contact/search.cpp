@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace keyblock {
@@ -41,7 +42,7 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
 /// Adds the candidates of two blocks to `found`, and the corners near edges to `corners`.
 void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
                     FoundCorners::Batch& corners) {
-    FoundCorners::Pair pair{a, b, std::ssize(corners.corners)};
+    FoundCorners::Pair pair{a, b, std::ssize(corners.corners), 0, std::numeric_limits<double>::infinity()};
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
@@ -51,8 +52,8 @@ void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Can
             search.addNearEdges(first, corner, second, corners.near);
             const std::span near(corners.near.begin() + begin, corners.near.end());
             if (near.empty()) continue;
-            const bool byPath = search.addEntrances(first, corner, second, near, found);
-            corners.corners.push_back({first, corner, second, byPath, begin, std::ssize(corners.near)});
+            pair.room = std::min(pair.room, search.addEntrances(first, corner, second, near, found));
+            corners.corners.push_back({first, corner, second, begin, std::ssize(corners.near)});
         }
     }
     pair.end = std::ssize(corners.corners);
@@ -63,20 +64,43 @@ std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch
     return {batch.corners.begin() + pair.begin, batch.corners.begin() + pair.end};
 }
 
-/// For each block, whether one of its corners moves by so much that it, or a corner near the block, may come near edges
-/// that a search with this margin did not consider.
-std::vector<char> movesFar(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift,
-                           double margin) {
-    std::vector<char> far(blocks.size(), 0);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (drift[i].turn == 0.0 && 2.0 * drift[i].shift.norm() <= margin) continue;
-        double reach = 0.0;
-        for (const Point& corner : blocks[i].corners) reach = std::max(reach, (corner - blocks[i].centroid).norm());
-        reach += model.blocks[i].size + 2.0 * margin;  // includes corners near an edge of this block or past its end
-        far[i] = 2.0 * (drift[i].shift.norm() + std::abs(drift[i].turn) * reach) > margin;
+/// For each block, the largest displacement on `drift` of its corners, and of other blocks' corners near its edges as
+/// far as they move with it [m].
+std::vector<double> largestMoves(const Model& model, const FoundCorners& found, const std::vector<Drift>& drift) {
+    std::vector<double> moves(drift.size());
+    for (std::size_t i = 0; i < drift.size(); ++i) {
+        const Box& box = found.outlines[i].box;
+        const double reach = (box.max - box.min).norm() + model.blocks[i].size + 2.0 * found.margin;
+        moves[i] = drift[i].shift.norm() + std::abs(drift[i].turn) * reach;
     }
-    return far;
+    return moves;
 }
+
+/// Compares a path with that of a search.
+class OtherPath {
+public:
+    OtherPath(const Model& model, const FoundCorners& found, const std::vector<Drift>& drift)
+        : margin_(found.margin), moves_(largestMoves(model, found, drift)) {
+        std::vector<Drift> change = drift;
+        for (std::size_t i = 0; i < change.size(); ++i) {
+            change[i].shift -= found.drift[i].shift;
+            change[i].turn -= found.drift[i].turn;
+        }
+        changes_ = largestMoves(model, found, change);
+    }
+
+    /// True if one of the blocks moves by so much that corners may come near edges that the search did not consider.
+    bool isFar(const FoundCorners::Pair& pair) const { return 2.0 * std::max(moves_[pair.a], moves_[pair.b]) > margin_; }
+
+    /// True if the contacts of the pair may be others.
+    bool mayDiffer(const FoundCorners::Pair& pair) const {
+        return isFar(pair) || changes_[pair.a] + changes_[pair.b] >= pair.room;
+    }
+
+private:
+    double margin_;
+    std::vector<double> moves_, changes_;  // per block, on the path and against that of the search [m]
+};
 
 /// Finds the candidates of a pair in a batch again for another path. \param isFar true if all their corners have to be
 /// searched, not only those that were found.
@@ -141,17 +165,15 @@ bool findsTheSame(const CandidateSearch& search, const FoundCorners::Batch& batc
     return std::ranges::equal(found, search.before, {}, placeOf, placeOf);
 }
 
-/// The contacts between two blocks that a search for another path would find. Those in `search.before` are copied.
-std::vector<Contact> contactsOn(const CandidateSearch& search, const FoundCorners::Batch& batch,
-                                const FoundCorners::Pair& pair, bool isFar) {
+/// Adds the contacts between two blocks that a search for another path would find. Those in `search.before` are copied.
+void addContactsOn(const CandidateSearch& search, const FoundCorners::Batch& batch, const FoundCorners::Pair& pair,
+                   bool isFar, std::vector<Contact>& contacts) {
     std::vector<Candidate> found = candidatesAgain(search, batch, pair, isFar);
     dropDoubles(search, found);
-    std::vector<Contact> contacts;
     for (const Candidate& candidate : found) {
         const Contact* old = sameContact(search.before, candidate);
         contacts.push_back(old ? *old : newContact(search.model, search.blocks, false, candidate));
     }
-    return contacts;
 }
 
 /// Compares the contacts through which corners enter blocks on a path.
@@ -196,8 +218,8 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const PhaseScope phase(Phase::Search);
     std::vector<Outline> outlines = outlinesOf(model, blocks);
     const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
-    const Standings standings(model, blocks, before);
-    const std::vector<Drift> drift = driftOf(blocks, asked.path);
+    Standings standings(model, blocks, before);
+    std::vector<Drift> drift = driftOf(blocks, asked.path);
     const std::size_t batches = (pairs.size() + pairsOfBatch - 1) / pairsOfBatch;
     std::vector<std::vector<Contact>> perBatch(batches);
     std::vector<double> lost(pairs.size(), 0.0);
@@ -216,7 +238,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                 perBatch[batch].push_back(contactOf(model, blocks, own, asked.first, one, lost[i]));
         }
     });
-    if (asked.corners) *asked.corners = {asked.margin, std::move(outlines), std::move(corners)};
+    if (asked.corners) *asked.corners = {asked.margin, std::move(drift), std::move(outlines), std::move(standings), std::move(corners)};
     std::vector<Contact> contacts = joined(perBatch);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
@@ -234,32 +256,26 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
                    const FoundCorners& found, const Eigen::VectorXd& path, double deep) {
     const PhaseScope phase(Phase::Search);
     const std::vector<Drift> drift = driftOf(blocks, &path);
-    const std::vector<char> far = movesFar(model, blocks, drift, found.margin);
-    const Standings standings(model, blocks, contacts);
-    BlockPairs pairs;
-    for (const FoundCorners::Batch& batch : found.batches)
-        for (const FoundCorners::Pair& pair : batch.pairs) pairs.emplace_back(pair.a, pair.b);
-    const std::vector<std::span<const Contact>> contactsOf = contactsOfPairs(contacts, pairs);
-    const auto searchOf = [&](std::size_t i) {
-        return CandidateSearch{model, blocks, contactsOf[i], drift, found.outlines, standings, found.margin};
+    const OtherPath other(model, found, drift);
+    const auto searchOf = [&](std::span<const Contact> own) {
+        return CandidateSearch{model, blocks, own, drift, found.outlines, found.standings, found.margin};
     };
-    const auto batchOf = [&](std::size_t i) -> const FoundCorners::Batch& { return found.batches[i / pairsOfBatch]; };
-    const auto pairAt = [&](std::size_t i) -> const FoundCorners::Pair& { return batchOf(i).pairs[i % pairsOfBatch]; };
-    const auto isFar = [&](const FoundCorners::Pair& pair) { return far[pair.a] || far[pair.b]; };
-    bool same = true;
-    for (std::size_t i = 0; same && i < pairs.size(); ++i) {
-        const FoundCorners::Pair& pair = pairAt(i);
-        const bool byPath = isFar(pair) ||
-                            std::ranges::any_of(cornersOf(batchOf(i), pair), &FoundCorners::Corner::byPath);
-        same = !byPath || findsTheSame(searchOf(i), batchOf(i), pair, isFar(pair));
-    }
-    if (same) return true;
-    std::vector<std::vector<Contact>> perPair(pairs.size());
-    forEach(pairs.size(), pairsOfBatch, [&](std::size_t i) {
-        const FoundCorners::Pair& pair = pairAt(i);
-        if (isFar(pair) || pair.begin < pair.end) perPair[i] = contactsOn(searchOf(i), batchOf(i), pair, isFar(pair));
+    const auto isSame = [&](const FoundCorners::Batch& batch) {
+        return std::ranges::all_of(batch.pairs, [&](const FoundCorners::Pair& pair) {
+            return !other.mayDiffer(pair) || findsTheSame(searchOf(contactsOfPair(contacts, {pair.a, pair.b})), batch,
+                                                          pair, other.isFar(pair));
+        });
+    };
+    if (std::ranges::all_of(found.batches, isSame)) return true;
+    std::vector<std::vector<Contact>> perBatch(found.batches.size());
+    forEach(found.batches.size(), 1, [&](std::size_t i) {
+        for (const FoundCorners::Pair& pair : found.batches[i].pairs) {
+            if (!other.isFar(pair) && pair.begin == pair.end) continue;
+            const CandidateSearch search = searchOf(contactsOfPair(contacts, {pair.a, pair.b}));
+            addContactsOn(search, found.batches[i], pair, other.isFar(pair), perBatch[i]);
+        }
     });
-    std::vector<Contact> now = joined(perPair);
+    std::vector<Contact> now = joined(perBatch);
     handOver(model, blocks, contacts, false, now);
     dropHeldCorners(model, now);
     return Entrances{model, blocks, drift, deep}.same(contacts, now);

@@ -19,13 +19,13 @@ struct FoundCorners {
     /// A corner near edges of another block.
     struct Corner {
         int a = -1, corner = -1, b = -1;
-        bool byPath = false;  // its contacts depend on the path; otherwise they are the same for every path
         std::ptrdiff_t begin = 0, end = 0;  // the edges, as a range of `Batch::near`
     };
     /// Two blocks near each other.
     struct Pair {
         int a = -1, b = -1;
         std::ptrdiff_t begin = 0, end = 0;  // their corners, as a range of `Batch::corners`
+        double room = 0.0;  // change of the relative displacement up to which their contacts are the same [m]
     };
     /// Pairs that are searched one after the other, with their corners.
     struct Batch {
@@ -34,7 +34,9 @@ struct FoundCorners {
         std::vector<NearEdge> near;
     };
     double margin = 0.0;  // margin of the search [m]
+    std::vector<Drift> drift;  // displacement over the path of the search
     std::vector<Outline> outlines;  // outlines of the blocks in the search
+    Standings standings;  // corners that were supported before the search
     std::vector<Batch> batches;  // all pairs of blocks near each other
 };
 

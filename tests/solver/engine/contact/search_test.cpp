@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which corners stand before which edges, once each, and what they remember.
+// Which corners are in front of which edges, once each, and what they keep from step to step.
 
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/links.h"
@@ -15,8 +15,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <random>
+#include <set>
 #include <tuple>
 
 namespace keyblock {
@@ -208,6 +211,47 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
         EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, corners, other, 0.01));
         EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, corners, other, 0.5));
     }
+}
+
+/// The contacts that close on the path, as block, corner, block and edge.
+std::set<std::array<int, 4>> closing(const Found& found, const std::vector<Contact>& contacts,
+                                     const Eigen::VectorXd& path) {
+    std::set<std::array<int, 4>> result;
+    for (const Contact& c : contacts) {
+        const Edge edge = edgeOf(found.state.blocks[c.blockB].corners, c.edge);
+        const Point from = found.state.blocks[c.blockA].corners[c.corner] - edge.start;
+        const Point moves = path.segment<2>(6 * c.blockA) - path.segment<2>(6 * c.blockB);
+        if (edge.outward.dot(from + moves) < c.gapOffset - found.model.tolerance)
+            result.insert({c.blockA, c.corner, c.blockB, c.edge});
+    }
+    return result;
+}
+
+/// Two boxes that touch or overlap slightly at a corner, or are a little apart there. Another path, a little or quite
+/// different, holds exactly if a search for it finds the same contacts that close.
+TEST(Contacts, AnotherPathHoldsIfASearchForItFindsTheSame) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    const auto some = [&](double size) { return Point(size * any(random), size * any(random)); };
+    int held = 0, refused = 0;
+    for (int n = 0; n < 8000; ++n) {
+        const double scale = std::pow(10.0, -3.5 + 1.5 * any(random));
+        const Point corner = Point(1.0, 1.0) + some(scale);
+        const Found found(boxes({{{0, 0}, {1, 1}}, {corner, corner + Point(1.0, 1.0)}}));
+        const Point first = some(scale);
+        const Eigen::VectorXd path = pathOf(first), other = pathOf(first + some(scale * std::pow(10.0, 2.0 * any(random))));
+        const double margin = 4.0 * std::max(scale, other.norm());
+        FoundCorners corners;
+        const std::vector<Contact> contacts =
+            findContacts(found.model, found.state.blocks, {}, {margin, false, false, &path, nullptr, &corners});
+        const std::vector<Contact> again =
+            findContacts(found.model, found.state.blocks, contacts, {margin, false, false, &other, nullptr});
+        const bool same = closing(found, contacts, other) == closing(found, again, other);
+        EXPECT_EQ(entrancesHold(found.model, found.state.blocks, contacts, corners, other), same) << n;
+        ++(same ? held : refused);
+    }
+    EXPECT_GT(held, 500);
+    EXPECT_GT(refused, 500);
 }
 
 /// Direction in which block 0 pushes block 1 in all contacts between them; zero if they differ or there are none.
