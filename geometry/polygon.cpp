@@ -163,13 +163,4 @@ Box boxOf(std::span<const Point> points) {
     return box;
 }
 
-Box grown(const Box& box, double margin) {
-    const Point m{margin, margin};
-    return {box.min - m, box.max + m};
-}
-
-bool meets(const Box& a, const Box& b) {
-    return a.min.x() <= b.max.x() && b.min.x() <= a.max.x() && a.min.y() <= b.max.y() && b.min.y() <= a.max.y();
-}
-
 }  // namespace keyblock

@@ -67,9 +67,13 @@ struct Box {
 Box boxOf(std::span<const Point> points);
 
 /// The box enlarged by `margin` [m] on every side.
-Box grown(const Box& box, double margin);
+inline Box grown(const Box& box, double margin) {
+    return {box.min - Point::Constant(margin), box.max + Point::Constant(margin)};
+}
 
 /// True if the two closed boxes have a common point.
-bool meets(const Box& a, const Box& b);
+inline bool meets(const Box& a, const Box& b) {
+    return a.min.x() <= b.max.x() && b.min.x() <= a.max.x() && a.min.y() <= b.max.y() && b.min.y() <= a.max.y();
+}
 
 }  // namespace keyblock

@@ -84,21 +84,35 @@ double addLink(const Link& link, const PathStart& from, EnergyLedger& energy) {
     return path.slipForce;
 }
 
+/// True if a prescribed displacement is not zero.
+bool isDriven(const StepProblem& problem, const Eigen::VectorXd& d) {
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (known(problem, i) && d[i] != 0.0) return true;
+    return false;
+}
+
+/// Work of what drives prescribed unknowns against all forces. Its contribution to the motion is added with the
+/// velocities. \param strains strains of the links at the end of the step.
+double drivingWork(const Model& model, const State& state, const StepProblem& problem, const Eigen::VectorXd& d,
+                   const std::vector<double>& strains, const SchemeFactors& factors) {
+    Eigen::VectorXd driven = netForce(problem, d, strains) + inertiaForce(model, state, factors, d);
+    if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
+    double work = 0.0;
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (known(problem, i)) work -= driven[i] * d[i];
+    return work;
+}
+
 }  // namespace
 
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options) {
     const PhaseScope phase(Phase::Accept);
     const SchemeFactors factors = factorsOf(options);
-    // what drives a prescribed unknown works against all forces; its contribution to the motion is added with the
-    // velocities
     std::vector<double> after;
     linkStrains(problem, d, after);
-    Eigen::VectorXd driven = netForce(problem, d, after) + inertiaForce(model, state, factors, d);
-    if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
-    for (Eigen::Index i = 0; i < d.size(); ++i)
-        if (known(problem, i)) state.energy.external -= driven[i] * d[i];
+    if (isDriven(problem, d)) state.energy.external += drivingWork(model, state, problem, d, after, factors);
     for (std::size_t i = 0; i < after.size(); ++i) {
         const Link& link = problem.links[i];
         state.energy.damped += lawLoss(link.law, link.strain, after[i], ruleOf(problem, link));
