@@ -100,8 +100,8 @@ constexpr auto arePairs = [](const Facts& f, const auto&, const std::pair<int, i
     return isBelow(pair.first, f.model.blocks.size()) && isBelow(pair.second, f.model.blocks.size());
 };
 constexpr auto arePossibleSteps = [](const Facts&, const SweepsFirst& first) {
-    return std::clamp(first.left, 0, SweepsFirst::most) == first.left &&
-           std::clamp(first.after, 0, SweepsFirst::most) == first.after;
+    return std::ranges::all_of(std::array{first.left, first.after, first.pause, first.nextPause},
+                               [](int steps) { return steps >= 0 && steps <= SweepsFirst::most; });
 };
 constexpr auto isFlag = [](char flag) { return flag == 0 || flag == 1; };
 
@@ -209,8 +209,9 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{
     list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
-inline constexpr auto rows<SweepsFirst> = std::tuple{row("left", &SweepsFirst::left, arePossibleSteps),
-                                                     row("after", &SweepsFirst::after, arePossibleSteps)};
+inline constexpr auto rows<SweepsFirst> = std::tuple{
+    row("left", &SweepsFirst::left, arePossibleSteps), row("after", &SweepsFirst::after, arePossibleSteps),
+    row("pause", &SweepsFirst::pause, arePossibleSteps), row("nextPause", &SweepsFirst::nextPause, arePossibleSteps)};
 
 template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),

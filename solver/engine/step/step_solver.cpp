@@ -33,7 +33,7 @@ constexpr double easy = 2e-3;  // residual up to which Newton's method needs no 
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
 // Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
-// bodies that may take part at the start of a step, and after a stall; number of times in succession; and factor of the
+// bodies that may take part at the start of a step or under swept forces, and after a stall; number of times in succession; and factor of the
 // residual below which they are kept
 constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
 constexpr int mostLocal = 3;
@@ -219,11 +219,13 @@ private:
         judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
     }
 
-    /// Sweeps, and continues while the displacement under the swept forces may solve the step.
+    /// Sweeps, and continues while the displacement under the swept forces may solve the step. In motion, often only a
+    /// few light blocks are not balanced under it; these are then solved for alone.
     bool sweepsSolve() {
         std::optional<Eigen::VectorXd> d = dual_->sweep(trial_, settings_.tolerance, report_.work);
         for (int judged = 1; d; ++judged) {
             judge(trialAt(problem_, rows_, std::move(*d)));
+            if (!rests()) settleLocally(mostAtStart);
             if (balance_->within(settings_.tolerance)) return true;
             if (judged == mostJudged) return false;
             const double share = std::min(1.0, settings_.tolerance / report_.residual);

@@ -5,7 +5,10 @@
 // Newton's method stalls, it is likely to stall in the next steps, too; a few of these
 // therefore begin with sweeps. Then one begins with Newton's method again: if that
 // does not stall and takes clearly less work, the steps after it do the same;
-// otherwise more steps than before begin with sweeps until the next comparison.
+// otherwise more steps than before begin with sweeps until the next comparison. Where
+// Newton's method takes much work without a stall, one step begins with sweeps to
+// compare, and as long as that is of no use, the next trials follow less and less
+// often.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +19,12 @@ struct SweepsFirst {
     static constexpr int fewest = 16, most = 128;  // number of steps that begin with sweeps before a comparison
     static constexpr int longer = 4;  // times that number after a comparison in favour of sweeps
     static constexpr double clearlyLess = 0.7;  // times the work of a step that began with sweeps
+    static constexpr double much = 6.0;  // work of a step that calls for a trial of sweeps
 
     int left = 0;  // further steps that begin with sweeps
     int after = fewest;  // number of them after the next comparison, if it is in favour of sweeps
+    int pause = 0;  // number of steps that take much work before the next trial
+    int nextPause = 1;  // the same after that trial
     double work = 0.0;  // of the last step that began with sweeps; 0: none to compare with
 
     bool now() const { return left > 0; }
@@ -34,8 +40,10 @@ struct SweepsFirst {
         } else if (work > 0.0 && (stalled || workOfStep > clearlyLess * work)) {
             left = after;
             after = std::min(longer * after, most);
+            pause = 0;
+            nextPause = 1;
         } else {
-            left = stalled ? fewest : 0;
+            left = stalled ? fewest : isTrialDue(workOfStep) ? 1 : 0;
             after = fewest;
             work = 0.0;
         }
@@ -44,6 +52,16 @@ struct SweepsFirst {
     /// Sweeps at the beginning of a step were of no use: the next step begins with Newton's method and, if
     /// sweeps were of use before, is compared with the last step that began with them.
     void drop() { left = 0; }
+
+private:
+    /// Whether a step of this work is followed by a trial of sweeps.
+    bool isTrialDue(double workOfStep) {
+        if (!(workOfStep > much)) return false;
+        if (pause > 0) return --pause, false;
+        pause = nextPause;
+        nextPause = std::min(2 * nextPause, most);
+        return true;
+    }
 };
 
 }  // namespace keyblock

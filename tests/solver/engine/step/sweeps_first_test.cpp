@@ -45,6 +45,16 @@ TEST(SweepsFirst, ContinueWhereNewtonsMethodStallsAtLittleWork) {
     EXPECT_EQ(noteSteps(first, steps, 3.0, 1.0, true), steps - compared);
 }
 
+TEST(SweepsFirst, AreTriedWhereNewtonsMethodTakesMuchWork) {
+    const double much = 2.0 * SweepsFirst::much;
+    SweepsFirst better;
+    const int steps = 180, newton = 4;  // the first step, and those after 1, 16 and 64 with sweeps
+    EXPECT_EQ(noteSteps(better, steps, 0.5 * much, much, false), steps - newton);
+    SweepsFirst worse;
+    const int trials = 6;  // after 0, 1, 2, 4, 8 and 16 further steps with much work
+    EXPECT_EQ(noteSteps(worse, 64, 2.0 * much, much, false), trials);
+}
+
 TEST(SweepsFirst, AreDroppedAtOnceWhereTheyAreOfNoUse) {
     SweepsFirst first;
     first.note(false, true, 5.0);
