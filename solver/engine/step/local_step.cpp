@@ -62,7 +62,7 @@ void LocalStep::insert(const StepProblem& whole, const Eigen::VectorXd& own, Eig
     }
 }
 
-LocalStep localStep(const StepProblem& whole, std::vector<int> bodies, const Eigen::VectorXd& d) {
+LocalStep localStep(const StepProblem& whole, const LinkRows& rows, std::vector<int> bodies, const Eigen::VectorXd& d) {
     LocalStep local;
     StepProblem& part = local.problem;
     std::vector<int> rowOf(whole.blocks + whole.nodes, -1), linkRow(whole.links.size(), -1);
@@ -71,10 +71,10 @@ LocalStep localStep(const StepProblem& whole, std::vector<int> bodies, const Eig
         addBody(whole, bodies[i], part);
     }
     for (std::size_t i = 0; i < whole.links.size(); ++i) {
-        const Link& link = whole.links[i];
-        if (rowOf[link.a] < 0 && (link.b < 0 || rowOf[link.b] < 0)) continue;
+        const int a = rows.bodyA(i), b = rows.bodyB(i);
+        if (rowOf[a] < 0 && (b < 0 || rowOf[b] < 0)) continue;
         linkRow[i] = static_cast<int>(part.links.size());
-        part.links.push_back(linkOf(whole, rowOf, link, d));
+        part.links.push_back(linkOf(whole, rowOf, whole.links[i], d));
     }
     for (LimitPair pair : whole.limitPairs) {
         pair.limited = linkRow[pair.limited];

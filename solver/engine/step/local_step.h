@@ -7,6 +7,7 @@
 // neighbours held, its position is found in a problem of a few unknowns.
 #pragma once
 
+#include "solver/engine/step/link_rows.h"
 #include "solver/engine/step/step_problem.h"
 
 #include <vector>
@@ -25,8 +26,9 @@ struct LocalStep {
     void insert(const StepProblem& whole, const Eigen::VectorXd& own, Eigen::VectorXd& d) const;
 };
 
+/// \param rows the links of `whole`.
 /// \param bodies in ascending order.
 /// \param d displacements at which the other bodies are held, one entry for each unknown of the whole step at least.
-LocalStep localStep(const StepProblem& whole, std::vector<int> bodies, const Eigen::VectorXd& d);
+LocalStep localStep(const StepProblem& whole, const LinkRows& rows, std::vector<int> bodies, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

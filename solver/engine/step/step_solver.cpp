@@ -76,7 +76,6 @@ public:
            const std::function<bool()>& stopAsked, bool isLocal = false)
         : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), isLocal_(isLocal),
           rows_(problem) {
-        matrix_.begin(problem, rows_);
         if (!isLocal_) carried_ = DualSweeps::carriedForces(problem_, rows_);
     }
 
@@ -210,7 +209,7 @@ private:
         sweeps_ = false;
         if (dual_->possible() && sweepsSolve()) return;
         std::optional<Eigen::VectorXd> d;
-        if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix_, report_.work);
+        if (dual_->possible()) d = dual_->solve(beforeSweeps_, matrix(), report_.work);
         swept_ = d.has_value();
         if (!d) {
             tries_ = mostTries;
@@ -251,7 +250,7 @@ private:
     /// search finds.
     void step() {
         if (!factor()) return;
-        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.residual, creeps_,
+        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix(), report_.residual, creeps_,
                                                      report_.work);
         if (std::exchange(creeps_, false) && direction.uphill.size() > 0 && passesWedge(direction.uphill)) return;
         std::vector<double> rates;
@@ -338,7 +337,7 @@ private:
 
     /// The trial displacement with that of `bodies` solved again. The work counts by their share of all bodies.
     Eigen::VectorXd solvedLocally(const std::vector<int>& bodies, double share) {
-        LocalStep local = localStep(problem_, bodies, trial_.d);
+        LocalStep local = localStep(problem_, rows_, bodies, trial_.d);
         Eigen::VectorXd own = local.taken(problem_, trial_.d), d = trial_.d;
         SolveSettings settings = settings_;
         settings.fromGuess = true;
@@ -383,6 +382,12 @@ private:
         return minor(link.a) && minor(link.b);
     }
 
+    /// The matrix, made ready for this step. A step that sweeps solve needs none.
+    StepMatrix& matrix() {
+        if (!std::exchange(isMatrixReady_, true)) matrix_.begin(problem_, rows_);
+        return matrix_;
+    }
+
     bool factor() {
         std::vector<double> weights(rows_.count());
         const auto take = [&](double least) {
@@ -390,9 +395,9 @@ private:
                 weights[i] = rows_.law(i).share * tangentOf(i);
                 if (least > 0.0)
                     weights[i] = std::max(weights[i], rows_.law(i).share * least * problem_.links[i].law.stiffness);
-                if (isIndifferent(i)) weights[i] = matrix_.weightInFactor(i).value_or(weights[i]);
+                if (isIndifferent(i)) weights[i] = matrix().weightInFactor(i).value_or(weights[i]);
             }
-            return matrix_.factor(problem_, rows_, weights, report_.work);
+            return matrix().factor(problem_, rows_, weights, report_.work);
         };
         if (take(0.0) < 0) return true;
         const int loose = take(leastHold);
@@ -403,6 +408,7 @@ private:
 
     StepProblem& problem_;
     StepMatrix& matrix_;
+    bool isMatrixReady_ = false;
     const SolveSettings& settings_;
     const std::function<bool()>& stopAsked_;
     bool isLocal_;  // solves for some bodies of another step

@@ -58,7 +58,7 @@ TEST(LocalStep, ForcesAreThoseOfTheWholeStep) {
     StepProblem whole = randomStep(4, 3);
     const Eigen::VectorXd d = Eigen::VectorXd::LinSpaced(whole.unknowns(), -0.4, 0.6);
     const Eigen::VectorXd net = netForce(whole, d);
-    LocalStep local = localStep(whole, {1, 2, 5}, d);
+    LocalStep local = localStep(whole, LinkRows(whole), {1, 2, 5}, d);
     ASSERT_EQ(local.problem.unknowns(), 6 + 6 + 3);
     const Eigen::VectorXd own = local.taken(whole, d);
     const Eigen::VectorXd ownNet = netForce(local.problem, own);
@@ -73,7 +73,7 @@ TEST(LocalStep, ForcesAreThoseOfTheWholeStep) {
 
 TEST(LocalStep, FrictionFollowsTheNormalForcesThatRemain) {
     const StepProblem whole = randomStep(3, 1);
-    const LocalStep local = localStep(whole, {0}, Eigen::VectorXd::Zero(whole.unknowns()));
+    const LocalStep local = localStep(whole, LinkRows(whole), {0}, Eigen::VectorXd::Zero(whole.unknowns()));
     // every other body is linked with the first one by two links and one pair, which keep their order
     ASSERT_EQ(local.problem.links.size(), 2u * 4);
     ASSERT_EQ(local.problem.limitPairs.size(), 4u);
