@@ -238,6 +238,7 @@ std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotio
     std::vector<Outline> outlines(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         outlines[i].box = boxOf(blocks[i].corners);
+        outlines[i].across = (outlines[i].box.max - outlines[i].box.min).norm();
         const int count = static_cast<int>(model.blocks[i].turns.size());
         outlines[i].runs.reserve(count);
         for (int turn = 0; turn < count; ++turn)
@@ -279,7 +280,7 @@ double CandidateSearch::slack(int a, int b) const {
 
 Box CandidateSearch::reachOf(int a, int b) const {
     constexpr double rounding = 1.0 + 1e-9;  // no corner may be skipped because of rounding
-    const double across = (outlines[a].box.max - outlines[a].box.min).norm();
+    const double across = outlines[a].across;
     const double apart = (blocks[a].centroid - blocks[b].centroid).norm() + across;
     const double moves = (drift[a].shift - drift[b].shift).norm() + std::abs(drift[a].turn) * across +
                          std::abs(drift[b].turn) * apart;

@@ -69,8 +69,7 @@ std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch
 std::vector<double> largestMoves(const Model& model, const FoundCorners& found, const std::vector<Drift>& drift) {
     std::vector<double> moves(drift.size());
     for (std::size_t i = 0; i < drift.size(); ++i) {
-        const Box& box = found.outlines[i].box;
-        const double reach = (box.max - box.min).norm() + model.blocks[i].size + 2.0 * found.margin;
+        const double reach = found.outlines[i].across + model.blocks[i].size + 2.0 * found.margin;
         moves[i] = drift[i].shift.norm() + std::abs(drift[i].turn) * reach;
     }
     return moves;

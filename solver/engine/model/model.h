@@ -30,6 +30,7 @@ struct BlockModel {
     double mass = 0.0;  // over the full thickness [kg]
     Matrix6 massMatrix = Matrix6::Zero();  // consistent mass matrix, order u, v, r, εx, εy, γ
     Eigen::Matrix3d elasticity = Eigen::Matrix3d::Zero();  // stress per strain [Pa]
+    Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();  // its inverse [1/Pa]
     double youngsModulus = 0.0;  // [Pa]
     Stress initialStress{};  // [Pa]
     int jointMaterial = -1;  // index into Model::joints

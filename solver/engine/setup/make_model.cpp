@@ -11,6 +11,8 @@
 #include "solver/scene/stage_objects.h"
 #include "solver/scene/solved_blocks.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <limits>
 #include <cmath>
@@ -135,6 +137,7 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
     model.mass = material.density * m.area * scene.analysis.thickness;
     model.massMatrix = massOf(m, material.density * scene.analysis.thickness);
     model.elasticity = elasticityOf(material, scene.analysis.plane);
+    model.compliance = model.elasticity.inverse();
     model.youngsModulus = material.youngsModulus;
     if (!plate && !block.inOpening) {
         const Stress inSitu = inSituStressAt(scene, m.centroid + origin);

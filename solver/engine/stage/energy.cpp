@@ -9,8 +9,6 @@
 #include <cmath>
 #include <ranges>
 
-#include <Eigen/LU>
-
 namespace keyblock {
 namespace {
 
@@ -18,7 +16,7 @@ constexpr double roundOffEnergy = 1e-18;  // over E · volume: smaller energies 
 
 double strainEnergy(const Model& model, const BlockModel& block, const BlockMotion& motion) {
     const Eigen::Vector3d stress = frameStress(block, motion);
-    return 0.5 * block.area * model.thickness * stress.dot(block.elasticity.inverse() * stress);
+    return 0.5 * block.area * model.thickness * stress.dot(block.compliance * stress);
 }
 
 double blockEnergy(const Model& model, const State& state) {
