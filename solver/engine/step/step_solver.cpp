@@ -101,9 +101,11 @@ private:
             if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
-        if (!same && !startsBalanced()) takeBetter(std::move(guess));
+        const bool mayBegin = mayKeepSweeping() && settings_.sweepsFirst->now();
+        const bool sweepsAnyway = mayBegin && report_.residual > easy;  // they start from the forces
+        if (!same && !sweepsAnyway && !startsBalanced()) takeBetter(std::move(guess));
         startsEasy_ = report_.residual <= easy;
-        sweeps_ = beginsWithSweeps_ = !startsEasy_ && mayKeepSweeping() && settings_.sweepsFirst->now();
+        sweeps_ = beginsWithSweeps_ = mayBegin && !startsEasy_;
     }
 
     /// Records for the next solutions how this one was found. Those that start nearly balanced, continue another one, or
