@@ -144,8 +144,8 @@ void Watch::lookForOpenings(const State& state, const std::vector<ClosedJoint>& 
 /// known ones.
 void Watch::reportOpening(const State& state, const ClosedJoint& before, std::vector<Event>& events) const {
     if (!memory_.opened.insert(before.blocks).second) return;
-    const auto still = std::ranges::find_if(
-        state.contacts, [&](const Contact& c) { return pairOf(model_, c) == before.blocks; });
+    const auto still = std::ranges::find_if(state.contacts,
+                                            [&](const Contact& c) { return pairOf(model_, c) == before.blocks; });
     const bool isNear = still != state.contacts.end();
     events.push_back(jointEvent(EventKind::JointOpen, isNear ? closedJoint(before.blocks, *still) : before));
 }

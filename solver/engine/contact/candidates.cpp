@@ -214,9 +214,7 @@ private:
     double over_;
 };
 
-std::pair<int, int> pairOf(const Contact& c) {
-    return {std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB)};
-}
+std::pair<int, int> pairOf(const Contact& c) { return {std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB)}; }
 
 Candidate candidateOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
     const int edge = search.model.blocks[b].turns[faced.turn];

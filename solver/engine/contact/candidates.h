@@ -30,7 +30,7 @@ struct Drift {
 /// \param path the displacement over the step, six unknowns per block; null: at rest.
 std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
 
-/// Current outline of a block: its bounding box with its diagonal, and its straight runs, one for each entry of BlockModel::turns.
+/// Current outline of a block: its bounding box, and its straight runs, one for each entry of BlockModel::turns.
 struct Outline {
     Box box;
     double across = 0.0;  // diagonal of the box [m]

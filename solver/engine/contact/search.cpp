@@ -89,7 +89,9 @@ public:
     }
 
     /// True if one of the blocks moves by so much that corners may come near edges that the search did not consider.
-    bool isFar(const FoundCorners::Pair& pair) const { return 2.0 * std::max(moves_[pair.a], moves_[pair.b]) > margin_; }
+    bool isFar(const FoundCorners::Pair& pair) const {
+        return 2.0 * std::max(moves_[pair.a], moves_[pair.b]) > margin_;
+    }
 
     /// True if the contacts of the pair may be others.
     bool mayDiffer(const FoundCorners::Pair& pair) const {
@@ -237,7 +239,9 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                 perBatch[batch].push_back(contactOf(model, blocks, own, asked.first, one, lost[i]));
         }
     });
-    if (asked.corners) *asked.corners = {asked.margin, std::move(drift), std::move(outlines), std::move(standings), std::move(corners)};
+    if (asked.corners)
+        *asked.corners = {asked.margin, std::move(drift), std::move(outlines), std::move(standings),
+                          std::move(corners)};
     std::vector<Contact> contacts = joined(perBatch);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
@@ -261,8 +265,8 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     };
     const auto isSame = [&](const FoundCorners::Batch& batch) {
         return std::ranges::all_of(batch.pairs, [&](const FoundCorners::Pair& pair) {
-            return !other.mayDiffer(pair) || findsTheSame(searchOf(contactsOfPair(contacts, {pair.a, pair.b})), batch,
-                                                          pair, other.isFar(pair));
+            return !other.mayDiffer(pair) ||
+                   findsTheSame(searchOf(contactsOfPair(contacts, {pair.a, pair.b})), batch, pair, other.isFar(pair));
         });
     };
     if (std::ranges::all_of(found.batches, isSame)) return true;

@@ -33,8 +33,8 @@ constexpr double easy = 2e-3;  // residual up to which Newton's method needs no 
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
 // Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
-// bodies that may take part at the start of a step or under swept forces, and after a stall; number of times in succession; and factor of the
-// residual below which they are kept
+// bodies that may take part at the start of a step or under swept forces, and after a stall; number of times in
+// succession; and factor of the residual below which they are kept
 constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
 constexpr int mostLocal = 3;
 constexpr double helpsLocally = 0.5;

@@ -35,7 +35,9 @@ public:
     template <typename T>
     void put(const std::vector<T>& values) { putAll(values); }
     template <typename T>
-    void put(const boost::container::flat_set<T>& values) { putAll(values); }
+    void put(const boost::container::flat_set<T>& values) {
+        putAll(values);
+    }
     template <typename T, std::size_t n>
     void put(const std::array<T, n>& values) {
         for (const T& value : values) put(value);

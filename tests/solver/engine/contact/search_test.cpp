@@ -239,13 +239,14 @@ TEST(Contacts, AnotherPathHoldsIfASearchForItFindsTheSame) {
         const Point corner = Point(1.0, 1.0) + some(scale);
         const Found found(boxes({{{0, 0}, {1, 1}}, {corner, corner + Point(1.0, 1.0)}}));
         const Point first = some(scale);
-        const Eigen::VectorXd path = pathOf(first), other = pathOf(first + some(scale * std::pow(10.0, 2.0 * any(random))));
+        const Eigen::VectorXd path = pathOf(first),
+                              other = pathOf(first + some(scale * std::pow(10.0, 2.0 * any(random))));
         const double margin = 4.0 * std::max(scale, other.norm());
         FoundCorners corners;
-        const std::vector<Contact> contacts =
-            findContacts(found.model, found.state.blocks, {}, {margin, false, false, &path, nullptr, &corners});
-        const std::vector<Contact> again =
-            findContacts(found.model, found.state.blocks, contacts, {margin, false, false, &other, nullptr});
+        const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {},
+                                                           {margin, false, false, &path, nullptr, &corners});
+        const std::vector<Contact> again = findContacts(found.model, found.state.blocks, contacts,
+                                                        {margin, false, false, &other, nullptr});
         const bool same = closing(found, contacts, other) == closing(found, again, other);
         EXPECT_EQ(entrancesHold(found.model, found.state.blocks, contacts, corners, other), same) << n;
         ++(same ? held : refused);
