@@ -29,8 +29,8 @@ int levelOf(double size) {
     return exponent;
 }
 
-/// The pairs in order, in time proportional to their number: counted by their first index, then sorted by the second.
-/// \param end larger than every index.
+/// The pairs in order: counted by their first index, then sorted by the second. Faster than sorting all pairs, since an
+/// index has few of them. \param end larger than every index.
 Pairs inOrder(const Pairs& pairs, std::size_t end) {
     std::vector<std::ptrdiff_t> first(end + 1, 0);
     for (const auto& pair : pairs) ++first[pair.first + 1];

@@ -81,6 +81,13 @@ constexpr auto each(std::string_view name, Member Owner::*member, Holds holds) {
     });
 }
 
+/// A number of steps in `SweepsFirst`.
+constexpr auto steps(std::string_view name, int SweepsFirst::*member) {
+    return row(name, member, [=](const Facts&, const SweepsFirst& first) {
+        return first.*member >= 0 && first.*member <= SweepsFirst::most;
+    });
+}
+
 /// A list that is checked with the struct that owns it, or whose length does not matter.
 template <typename Owner, typename Member>
 constexpr auto list(std::string_view name, Member Owner::*member) {
@@ -98,10 +105,6 @@ constexpr auto anyIndex = [](const Facts&, const auto&) { return 1L << 30; };
 constexpr auto isBlock = [](const Facts& f, const auto&, int block) { return isBelow(block, f.model.blocks.size()); };
 constexpr auto arePairs = [](const Facts& f, const auto&, const std::pair<int, int>& pair) {
     return isBelow(pair.first, f.model.blocks.size()) && isBelow(pair.second, f.model.blocks.size());
-};
-constexpr auto arePossibleSteps = [](const Facts&, const SweepsFirst& first) {
-    return std::ranges::all_of(std::array{first.left, first.after, first.pause, first.nextPause},
-                               [](int steps) { return steps >= 0 && steps <= SweepsFirst::most; });
 };
 constexpr auto isFlag = [](char flag) { return flag == 0 || flag == 1; };
 
@@ -209,9 +212,9 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{
     list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
-inline constexpr auto rows<SweepsFirst> = std::tuple{
-    row("left", &SweepsFirst::left, arePossibleSteps), row("after", &SweepsFirst::after, arePossibleSteps),
-    row("pause", &SweepsFirst::pause, arePossibleSteps), row("nextPause", &SweepsFirst::nextPause, arePossibleSteps)};
+inline constexpr auto rows<SweepsFirst> =
+    std::tuple{steps("left", &SweepsFirst::left), steps("after", &SweepsFirst::after),
+               steps("pause", &SweepsFirst::pause), steps("nextPause", &SweepsFirst::nextPause)};
 
 template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),
@@ -304,10 +307,14 @@ inline constexpr auto rows<Reference> = std::tuple{
 
 template <>
 inline constexpr auto rows<WatchMemory> = std::tuple{
-    each("closed", &WatchMemory::closed,
-         [](const Facts& f, const WatchMemory& m, const ClosedJoint& joint) {
-             return arePairs(f, m, joint.blocks) && arePairs(f, m, joint.bodies);
-         }),
+    row("closed", &WatchMemory::closed,
+        [](const Facts& f, const WatchMemory& m) {
+            const auto fits = [&](const ClosedJoint& joint) {
+                return arePairs(f, m, joint.blocks) && arePairs(f, m, joint.bodies);
+            };
+            const auto after = [](const ClosedJoint& a, const ClosedJoint& b) { return !(a.blocks < b.blocks); };
+            return std::ranges::all_of(m.closed, fits) && std::ranges::adjacent_find(m.closed, after) == m.closed.end();
+        }),
     each("slipped", &WatchMemory::slipped, arePairs), each("opened", &WatchMemory::opened, arePairs),
     row("inhabited", &WatchMemory::inhabited, [](const Facts& f, const WatchMemory& m) {
         return m.inhabited.size() == f.model.bolts.size() &&

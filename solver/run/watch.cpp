@@ -123,7 +123,8 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
     lookForOpenings(state, now, events);
 }
 
-/// \param now the closed joints between blocks that do not rest.
+/// Reports the joints that have opened, and brings the list of closed joints up to date.
+/// \param now the closed joints between blocks that do not rest, sorted by blocks.
 void Watch::lookForOpenings(const State& state, const std::vector<ClosedJoint>& now, std::vector<Event>& events) const {
     std::vector<ClosedJoint> added;
     auto next = now.begin();

@@ -27,7 +27,7 @@ struct ClosedJoint {
 /// Earlier observations. A joint is identified by the indices of its two blocks. Part of the checkpoint.
 struct WatchMemory {
     using Pair = std::pair<int, int>;
-    std::vector<ClosedJoint> closed;  // joints closed at the latest check, sorted by `blocks`
+    std::vector<ClosedJoint> closed;  // joints closed at the latest check, sorted by `blocks`, one for each two blocks
     boost::container::flat_set<Pair> slipped, opened;  // joints whose slip or opening was reported in this stage
     std::vector<std::vector<char>> inhabited;  // per bolt and borehole slot: whether it has ever contained a node
 };

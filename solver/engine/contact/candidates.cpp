@@ -18,8 +18,7 @@ constexpr double slackShare = 1e-5;  // of the smaller block's size
 constexpr double deepest = 0.25;  // of the block's size: a deeper corner is not in contact with this edge
 constexpr double pressed = 1e-3;  // of the smaller block's size: a corner no deeper than this may press on the edge
 constexpr double sliver = -0.9;  // largest cosine between the outward normals of a sliver's two long sides
-constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// An edge that a corner is in front of, at present or along its path.
 struct Faced {
@@ -31,8 +30,9 @@ struct Faced {
 
     bool isBehind() const { return gap <= 0.0; }
 
-    /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it.
-    double crossing() const { return isBehind() ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
+    /// Fraction of the path at which the corner crosses the line of the edge; 0 if it is already behind it, infinite if
+    /// it never crosses it.
+    double crossing() const { return isBehind() ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : infinity; }
 };
 
 using FacedEdges = boost::container::small_vector<Faced, 4>;  // seldom more
@@ -103,10 +103,10 @@ bool isInFront(const Edge& edge, double along, const Point& moves, double over) 
     return std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
 }
 
-/// The near edges that a corner is in front of. \param room reduced to the change of the path from which on the corner
-/// may be in front of other edges [m].
+/// The near edges that a corner is in front of. \param allowed reduced to the change of the relative displacement [m]
+/// from which on the corner may be in front of other edges.
 FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, std::span<const NearEdge> near,
-                      double& room) {
+                      double& allowed) {
     const Point moves = movesOf(search, a, corner, b);
     const double over = search.slack(a, b);
     FacedEdges faced;
@@ -114,8 +114,8 @@ FacedEdges facedEdges(const CandidateSearch& search, int a, int corner, int b, s
         if (one.behind && !isPressed(search, a, corner, b, one.turn, one.gap)) continue;
         const Edge& edge = search.outlines[b].runs[one.turn];
         const double alongEnd = one.along + edge.along.dot(moves);
-        if (one.along < -over) room = std::min(room, std::abs(alongEnd + over));
-        else if (one.along > edge.length + over) room = std::min(room, std::abs(alongEnd - edge.length - over));
+        if (one.along < -over) allowed = std::min(allowed, std::abs(alongEnd + over));
+        else if (one.along > edge.length + over) allowed = std::min(allowed, std::abs(alongEnd - edge.length - over));
         if (isInFront(edge, one.along, moves, over))
             faced.push_back({one.turn, one.gap, one.along, one.gap + edge.outward.dot(moves), &edge});
     }
@@ -136,7 +136,7 @@ public:
         const double tx = x.crossing(), ty = y.crossing();
         if (tx == 0.0 && ty == 0.0) {
             if (const bool oldX = carries(x); oldX != carries(y)) return oldX;
-        } else if (tx != never && ty != never) {
+        } else if (tx != infinity && ty != infinity) {
             const double apart = std::abs(tx - ty) * std::max(x.gap - x.gapEnd, y.gap - y.gapEnd);
             if (apart > over_) return tx > ty;
         } else if (tx != ty) {
@@ -145,23 +145,22 @@ public:
         return std::tuple(-x.gapEnd, x.turn) < std::tuple(-y.gapEnd, y.turn);
     }
 
-    /// Change of the path [m] up to which it certainly enters through the same one of the two.
-    double room(const Faced& x, const Faced& y) const {
-        if (search_.estimated) return 0.0;
-        if (x.flush != y.flush) return unlimited;
+    /// Change of the relative displacement [m] up to which it certainly enters through the same one of the two.
+    double allowedChange(const Faced& x, const Faced& y) const {
+        if (x.flush != y.flush) return infinity;
         if (!x.isBehind() && !y.isBehind()) return 0.0;
         const double apart = 0.5 * std::abs(x.gapEnd - y.gapEnd);
-        if (x.isBehind() && y.isBehind()) return carries(x) != carries(y) ? unlimited : apart;
+        if (x.isBehind() && y.isBehind()) return carries(x) != carries(y) ? infinity : apart;
         const Faced &behind = x.isBehind() ? x : y, &ahead = x.isBehind() ? y : x;
-        if (ahead.gap > 2.0 * over_) return unlimited;  // it enters through the edge that it is in front of
+        if (ahead.gap > 2.0 * over_) return infinity;  // it enters through the edge that it is in front of
         return std::max(ahead.gapEnd > behind.gapEnd ? apart : 0.0, ahead.gapEnd);
     }
 
-    /// The same for whether it grazes the end of the edge.
-    double roomToGraze(const Faced& f) const {
+    /// Change of the relative displacement [m] up to which `grazes` certainly has the same result.
+    double allowedChange(const Faced& f) const {
         const bool atEnd = std::min(std::abs(f.along), std::abs(f.edge->length - f.along)) <= over_;
         const bool anyPath = !atEnd || f.gap < -search_.model.tolerance;
-        return anyPath ? unlimited : std::abs(f.gapEnd + search_.model.tolerance);
+        return anyPath ? infinity : std::abs(f.gapEnd + search_.model.tolerance);
     }
 
     /// True if the corner, or the corner of B at the near end of the edge, already rests on something flush with this
@@ -311,8 +310,8 @@ void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdg
 
 double CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,
                                      std::vector<Candidate>& found) const {
-    double room = unlimited;
-    FacedEdges faced = facedEdges(*this, a, corner, b, near, room);
+    double allowed = infinity;
+    FacedEdges faced = facedEdges(*this, a, corner, b, near, allowed);
     const Entrance entrance(*this, a, corner, b);
     if (faced.size() > 1)
         for (Faced& one : faced) one.flush = entrance.goesOn(one);
@@ -321,13 +320,13 @@ double CandidateSearch::addEntrances(int a, int corner, int b, std::span<const N
         for (std::size_t j = i + 1; j < faced.size(); ++j) {
             if (faceEachOther(*faced[i].edge, *faced[j].edge)) continue;
             beaten[entrance.by(faced[i], faced[j]) ? j : i] = 1;
-            room = std::min(room, entrance.room(faced[i], faced[j]));
+            allowed = std::min(allowed, entrance.allowedChange(faced[i], faced[j]));
         }
     for (std::size_t i = 0; i < faced.size(); ++i) {
         if (!beaten[i] && !entrance.grazes(faced[i])) found.push_back(candidateOf(*this, a, corner, b, faced[i]));
-        room = std::min(room, entrance.roomToGraze(faced[i]));
+        allowed = std::min(allowed, entrance.allowedChange(faced[i]));
     }
-    return room;
+    return allowed;
 }
 
 const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& place) {

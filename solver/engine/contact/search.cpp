@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace keyblock {
@@ -42,7 +41,7 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
 /// Adds the candidates of two blocks to `found`, and the corners near edges to `corners`.
 void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
                     FoundCorners::Batch& corners) {
-    FoundCorners::Pair pair{a, b, std::ssize(corners.corners), 0, std::numeric_limits<double>::infinity()};
+    FoundCorners::Pair pair{a, b, std::ssize(corners.corners)};
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
@@ -52,7 +51,8 @@ void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Can
             search.addNearEdges(first, corner, second, corners.near);
             const std::span near(corners.near.begin() + begin, corners.near.end());
             if (near.empty()) continue;
-            pair.room = std::min(pair.room, search.addEntrances(first, corner, second, near, found));
+            const double allowed = search.addEntrances(first, corner, second, near, found);
+            pair.allowedChange = std::min(pair.allowedChange, allowed);
             corners.corners.push_back({first, corner, second, begin, std::ssize(corners.near)});
         }
     }
@@ -95,7 +95,7 @@ public:
 
     /// True if the contacts of the pair may be others.
     bool mayDiffer(const FoundCorners::Pair& pair) const {
-        return isFar(pair) || changes_[pair.a] + changes_[pair.b] >= pair.room;
+        return isFar(pair) || changes_[pair.a] + changes_[pair.b] >= pair.allowedChange;
     }
 
 private:

@@ -9,6 +9,7 @@
 #include "solver/engine/contact/candidates.h"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace keyblock {
@@ -25,7 +26,8 @@ struct FoundCorners {
     struct Pair {
         int a = -1, b = -1;
         std::ptrdiff_t begin = 0, end = 0;  // their corners, as a range of `Batch::corners`
-        double room = 0.0;  // change of the relative displacement up to which their contacts are the same [m]
+        /// Change of the relative displacement up to which their contacts are the same [m].
+        double allowedChange = std::numeric_limits<double>::infinity();
     };
     /// Pairs that are searched one after the other, with their corners.
     struct Batch {
@@ -34,7 +36,7 @@ struct FoundCorners {
         std::vector<NearEdge> near;
     };
     double margin = 0.0;  // margin of the search [m]
-    std::vector<Drift> drift;  // displacement over the path of the search
+    std::vector<Drift> drift;  // displacement of each block over the path of the search; zero if it had none
     std::vector<Outline> outlines;  // outlines of the blocks in the search
     Standings standings;  // corners that were supported before the search
     std::vector<Batch> batches;  // all pairs of blocks near each other
@@ -67,6 +69,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 /// \param deep a corner that would be no deeper than this share of the smaller block's size does not count; with 0, the
 /// tolerance of the model applies.
 /// \param found the corners found by the search for `contacts`.
+/// Corners count as supported as before that search, and as carrying forces as in `contacts`.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path, double deep = 0.0);

@@ -33,7 +33,8 @@ constexpr double stiffest = 1e4;
 
 /// Solves again with multipliers until contacts neither penetrate nor slip elastically.
 void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
-                       const SolveSettings& settings, SolveReport& report) {
+                       SolveSettings settings, SolveReport& report) {
+    settings.fromGuess = true;
     double error = multiplierError(engine.model, state, problem, d), errorBefore = error, raised = 1.0;
     for (int update = 0; report.converged && error > 1.0; ++update) {
         const bool raise = update > 0 && error > slowUpdate * errorBefore && raised < stiffest;

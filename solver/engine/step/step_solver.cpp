@@ -92,8 +92,9 @@ public:
     }
 
 private:
-    /// Starts from zero displacement if that needs no solution, otherwise from zero or from `guess`, whichever has the
-    /// smaller residual: vibration from step to step does not show where a block will come to rest.
+    /// Starts from zero displacement if that needs no solution or if the step begins with sweeps, which start from the
+    /// contact forces; otherwise from zero or from `guess`, whichever has the smaller residual: vibration from step to
+    /// step does not show where a block will come to rest.
     void begin(Eigen::VectorXd guess) {
         if (settings_.fromGuess) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
@@ -101,19 +102,18 @@ private:
             if (!problem_.known[i]) still[i] = 0.0;
         const bool same = guess == still;
         judge(trialAt(problem_, rows_, std::move(still)));
-        const bool mayBegin = mayKeepSweeping() && settings_.sweepsFirst->now();
-        const bool sweepsAnyway = mayBegin && report_.residual > easy;  // they start from the forces
-        if (!same && !sweepsAnyway && !startsBalanced()) takeBetter(std::move(guess));
+        sweeps_ = beginsWithSweeps_ = mayKeepSweeping() && settings_.sweepsFirst->now() && report_.residual > easy;
+        if (!same && !sweeps_ && !startsBalanced()) takeBetter(std::move(guess));
         startsEasy_ = report_.residual <= easy;
-        sweeps_ = beginsWithSweeps_ = mayBegin && !startsEasy_;
     }
 
     /// Records for the next solutions how this one was found. Those that start nearly balanced, continue another one, or
-    /// have undone their first sweeps are not compared, nor are those that need no matrix, because Newton's method takes
-    /// at least one factorization; of those that do not converge, only a stall counts.
+    /// have undone their first sweeps are not compared, nor are those that sweeps solve with the work of one
+    /// factorization at most, because Newton's method takes at least one; of those that do not converge, only a stall
+    /// counts.
     void noteSweeps() {
-        const bool solvedBySweeps = beginsWithSweeps_ && report_.work.factorizations == 0;
-        if (startsEasy_ || !mayKeepSweeping() || dropped_ || solvedBySweeps) return;
+        const bool isCheap = beginsWithSweeps_ && report_.work.factorizations == 0 && workOf(report_.work) <= 1.0;
+        if (startsEasy_ || !mayKeepSweeping() || dropped_ || isCheap) return;
         if (report_.converged || (stalled_ && !beginsWithSweeps_))
             settings_.sweepsFirst->note(beginsWithSweeps_, stalled_, workOf(report_.work));
     }
@@ -198,9 +198,11 @@ private:
         if (isCompared() && report_.passes == 0 && report_.residual > easy) sweeps_ = stalled_ = true;
     }
 
-    /// True if the step begins with Newton's method to see whether that takes less work than sweeps.
+    /// True if the step begins with Newton's method to see whether it still stalls. After a trial of sweeps, the work of
+    /// the whole step decides.
     bool isCompared() const {
-        return !startsEasy_ && mayKeepSweeping() && !beginsWithSweeps_ && settings_.sweepsFirst->work > 0.0;
+        return !startsEasy_ && mayKeepSweeping() && !beginsWithSweeps_ && settings_.sweepsFirst->work > 0.0 &&
+               !settings_.sweepsFirst->onTrial;
     }
 
     void sweep() {

@@ -37,8 +37,8 @@ struct SolveReport {
 class StepSolver {
 public:
     /// Solves the step. Iteration starts from `d` or from zero displacement, whichever has the smaller residual once
-    /// the prescribed values have been inserted, or from zero displacement if that needs no solution. On return, `d` is
-    /// the solution, and `problem` contains the friction limits for this displacement.
+    /// the prescribed values have been inserted, or from zero displacement if that needs no solution or if the step
+    /// begins with sweeps. On return, `d` is the solution, and `problem` contains the friction limits for this displacement.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 

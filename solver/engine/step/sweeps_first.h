@@ -6,9 +6,9 @@
 // therefore begin with sweeps. Then one begins with Newton's method again: if that
 // does not stall and takes clearly less work, the steps after it do the same;
 // otherwise more steps than before begin with sweeps until the next comparison. Where
-// Newton's method takes much work without a stall, one step begins with sweeps to
-// compare, and as long as that is of no use, the next trials follow less and less
-// often.
+// Newton's method takes much work without a stall, one step begins with sweeps on
+// trial; they continue if they take less work than the step after it, and as long as
+// they do not, trials become rarer.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 namespace keyblock {
 
 struct SweepsFirst {
-    static constexpr int fewest = 16, most = 128;  // number of steps that begin with sweeps before a comparison
+    // number of steps that begin with sweeps before a comparison; at most as many steps with much work between trials
+    static constexpr int fewest = 16, most = 128;
     static constexpr int longer = 4;  // times that number after a comparison in favour of sweeps
     static constexpr double clearlyLess = 0.7;  // times the work of a step that began with sweeps
     static constexpr double much = 6.0;  // work of a step that calls for a trial of sweeps
@@ -25,6 +26,7 @@ struct SweepsFirst {
     int after = fewest;  // number of them after the next comparison, if it is in favour of sweeps
     int pause = 0;  // number of steps that take much work before the next trial
     int nextPause = 1;  // the same after that trial
+    bool onTrial = false;  // the sweeps begun last were a trial
     double work = 0.0;  // of the last step that began with sweeps; 0: none to compare with
 
     bool now() const { return left > 0; }
@@ -37,16 +39,20 @@ struct SweepsFirst {
         if (swept) {
             --left;
             work = workOfStep;
-        } else if (work > 0.0 && (stalled || workOfStep > clearlyLess * work)) {
+            return;
+        }
+        if (work > 0.0 && (stalled || workOfStep > (onTrial ? 1.0 : clearlyLess) * work)) {
             left = after;
             after = std::min(longer * after, most);
+            onTrial = false;
             pause = 0;
             nextPause = 1;
-        } else {
-            left = stalled ? fewest : isTrialDue(workOfStep) ? 1 : 0;
-            after = fewest;
-            work = 0.0;
+            return;
         }
+        onTrial = !stalled && work == 0.0 && isTrialDue(workOfStep);
+        left = stalled ? fewest : onTrial ? 1 : 0;
+        after = fewest;
+        work = 0.0;
     }
 
     /// Sweeps at the beginning of a step were of no use: the next step begins with Newton's method and, if
