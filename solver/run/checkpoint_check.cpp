@@ -212,9 +212,9 @@ inline constexpr auto rows<IncrementProgress> = std::tuple{
     list("passed", &IncrementProgress::passed), count("lastRelease", &IncrementProgress::lastRelease, -1)};
 
 template <>
-inline constexpr auto rows<SweepsFirst> =
-    std::tuple{steps("left", &SweepsFirst::left), steps("after", &SweepsFirst::after),
-               steps("pause", &SweepsFirst::pause), steps("nextPause", &SweepsFirst::nextPause)};
+inline constexpr auto rows<SweepsFirst> = std::tuple{
+    steps("left", &SweepsFirst::left), steps("after", &SweepsFirst::after), steps("pause", &SweepsFirst::pause),
+    steps("nextPause", &SweepsFirst::nextPause)};
 
 template <>
 inline constexpr auto rows<DynamicPace> = std::tuple{count("afterCut", &DynamicPace::afterCut),

@@ -32,8 +32,8 @@ constexpr double stiffer = 10.0;
 constexpr double stiffest = 1e4;
 
 /// Solves again with multipliers until contacts neither penetrate nor slip elastically.
-void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
-                       SolveSettings settings, SolveReport& report) {
+void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, SolveSettings settings,
+                       SolveReport& report) {
     settings.fromGuess = true;
     double error = multiplierError(engine.model, state, problem, d), errorBefore = error, raised = 1.0;
     for (int update = 0; report.converged && error > 1.0; ++update) {

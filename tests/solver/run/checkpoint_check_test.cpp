@@ -61,7 +61,8 @@ TEST(CheckpointCheck, NamesWhatDoesNotFit) {
     EXPECT_EQ(run.misfitAfter([](Checkpoint& c) { c.watch.closed.push_back({.blocks = {0, 7}}); }), "closed");
     EXPECT_EQ(run.misfitAfter([](Checkpoint& c) {
         for (int twice = 0; twice < 2; ++twice) c.watch.closed.push_back({.blocks = {0, 1}, .bodies = {0, 1}});
-    }), "closed");
+    }),
+              "closed");
     EXPECT_EQ(run.misfitAfter([](Checkpoint& c) { c.pace.sweepsFirst.pause = -1; }), "pause");
     EXPECT_EQ(run.misfitAfter([](Checkpoint& c) { c.loads.motionSources[0].row = 3; }), "motionSources");
     EXPECT_EQ(run.misfitAfter([](Checkpoint& c) { c.start.joined.push_back({-1, 0}); }), "joined");
