@@ -31,7 +31,7 @@ namespace members_detail {
 /// A type that converts to any other; used only to check whether an expression compiles.
 struct Anything {
     template <typename T>
-    operator T() const;
+    operator T() const;  // NOLINT(google-explicit-constructor): conversions without a cast are what is checked
 };
 
 template <typename T, typename... Given>

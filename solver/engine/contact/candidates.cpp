@@ -336,8 +336,8 @@ const Contact* contactAt(std::span<const Contact> contacts, const ContactPlace& 
 }
 
 std::span<const Contact> contactsOfPair(std::span<const Contact> contacts, const std::pair<int, int>& pair) {
-    const auto part = std::ranges::equal_range(contacts, pair, {}, pairOf);
-    return {part.begin(), part.end()};
+    const auto begin = std::ranges::lower_bound(contacts, pair, {}, pairOf);
+    return {begin, std::find_if(begin, contacts.end(), [&](const Contact& c) { return pairOf(c) != pair; })};
 }
 
 std::vector<std::span<const Contact>> contactsOfPairs(std::span<const Contact> contacts,

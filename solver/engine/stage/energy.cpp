@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace keyblock {
 namespace {
@@ -35,8 +34,8 @@ double energyOfBlock(const Model& model, int row, const BlockMotion& motion) {
 
 StoredEnergy storedEnergy(const Model& model, const State& state) {
     StoredEnergy energy;
-    for (const Carrier* carrier : carriers | std::views::reverse)
-        if (carrier->addStoredEnergy) carrier->addStoredEnergy(model, state, energy);
+    for (auto carrier = carriers.rbegin(); carrier != carriers.rend(); ++carrier)
+        if ((*carrier)->addStoredEnergy) (*carrier)->addStoredEnergy(model, state, energy);
     energy.strain += blockEnergy(model, state);
     return energy;
 }

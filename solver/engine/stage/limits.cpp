@@ -5,14 +5,13 @@
 #include "solver/engine/stage/carriers.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace keyblock {
 
 std::vector<Limit> heldLimits(const Model& model, const State& state) {
     std::vector<Limit> limits;
-    for (const Carrier* carrier : carriers | std::views::reverse)
-        if (carrier->addLimits) carrier->addLimits(model, state, limits);
+    for (auto carrier = carriers.rbegin(); carrier != carriers.rend(); ++carrier)
+        if ((*carrier)->addLimits) (*carrier)->addLimits(model, state, limits);
     return limits;
 }
 

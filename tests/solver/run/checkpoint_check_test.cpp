@@ -134,6 +134,7 @@ TEST(CheckpointCheck, ARunTakesOrRefusesCheckpointsChangedAtRandom) {
     std::vector<Scene> scenes{test::tearing(), test::sliding(0.4), test::staged()};
     for (Scene& scene : scenes) scene.limits.wallTime = 5.0;  // a changed step may be too short for any progress
     std::vector<std::vector<std::string>> kept;
+    kept.reserve(scenes.size());
     for (const Scene& scene : scenes) kept.push_back(runKept(scene).kept);
     for (int i = 0; i < count; ++i) {
         const std::size_t which = random() % scenes.size();
