@@ -69,7 +69,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 /// \param deep a corner that would be no deeper than this share of the smaller block's size does not count; with 0, the
 /// tolerance of the model applies.
 /// \param found the corners found by the search for `contacts`.
-/// Corners count as supported as before that search, and as carrying forces as in `contacts`.
+/// The supported corners are those before that search, the forces those of `contacts`.
 /// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path, double deep = 0.0);

@@ -62,8 +62,11 @@ struct SweepsFirst {
 private:
     /// Whether a step of this work is followed by a trial of sweeps.
     bool isTrialDue(double workOfStep) {
-        if (!(workOfStep > much)) return false;
-        if (pause > 0) return --pause, false;
+        if (workOfStep <= much) return false;
+        if (pause > 0) {
+            --pause;
+            return false;
+        }
         pause = nextPause;
         nextPause = std::min(2 * nextPause, most);
         return true;

@@ -231,8 +231,8 @@ std::set<std::array<int, 4>> closing(const Found& found, const std::vector<Conta
 }
 
 /// Two boxes that touch or overlap slightly at a corner, or are a little apart there, with forces in some contacts.
-/// Another path, a little or quite different, holds exactly if a search for it finds the same contacts that close.
-TEST(Contacts, AnotherPathHoldsIfASearchForItFindsTheSame) {
+/// Another path, a little or quite different, is accepted exactly if a search for it finds the same closing contacts.
+TEST(Contacts, AnotherPathIsAcceptedIfASearchForItFindsTheSame) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     const auto some = [&](double size) {
