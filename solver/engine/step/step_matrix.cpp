@@ -13,6 +13,7 @@ namespace keyblock {
 namespace {
 
 constexpr double sameBody = 1e-3;  // relative change of a body's stiffness up to which a factor is kept
+constexpr double mostIdle = 0.1;  // fraction of the equations that may belong to nodes of lost bolts
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;
@@ -55,8 +56,36 @@ int StepMatrix::pairOf(int a, int b) const {
 }
 
 bool StepMatrix::keepsPattern(const StepProblem& problem, const std::vector<std::pair<int, int>>& pairs) const {
-    return problem.known == known_ && static_cast<std::size_t>(problem.blocks) == blocks_.size() &&
+    return static_cast<std::size_t>(problem.blocks) == blocks_.size() && keepsUnknowns(problem) &&
            std::includes(pairs_.begin(), pairs_.end(), pairs.begin(), pairs.end());
+}
+
+/// Whether the step has the unknowns of the pattern. Nodes of bolts that have been lost since may keep their equations,
+/// because nothing acts on them any more.
+bool StepMatrix::keepsUnknowns(const StepProblem& problem) const {
+    if (patternKnown_ == problem.known) return true;
+    if (patternKnown_.size() != problem.known.size()) return false;
+    std::vector<char> isIdle(problem.nodes, 0);
+    std::size_t idle = 0;
+    for (int i = 0; i < problem.unknowns(); ++i) {
+        if (patternKnown_[i] == problem.known[i]) continue;
+        const int node = bodyOf(problem, i) - problem.blocks;
+        if (patternKnown_[i] || node < 0 || !(problem.nodeStiffness[node].minCoeff() > 0.0)) return false;
+        isIdle[node] = 1;
+        ++idle;
+    }
+    const auto idles = [&](int body) { return body >= problem.blocks && isIdle[body - problem.blocks]; };
+    return static_cast<double>(idle) <= mostIdle * static_cast<double>(unknownOf_.size()) &&
+           std::none_of(problem.links.begin(), problem.links.end(),
+                        [&](const Link& link) { return idles(link.a) || idles(link.b); });
+}
+
+/// Lists the equations of unknowns that are prescribed in this step.
+void StepMatrix::findIdle(const StepProblem& problem) {
+    known_ = problem.known;
+    idle_.clear();
+    for (std::size_t e = 0; e < unknownOf_.size(); ++e)
+        if (known_[unknownOf_[e]]) idle_.push_back(static_cast<int>(e));
 }
 
 void StepMatrix::begin(const StepProblem& problem, const LinkRows& rows) {
@@ -67,6 +96,7 @@ void StepMatrix::begin(const StepProblem& problem, const LinkRows& rows) {
         std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
         if (!keepsPattern(problem, pairs)) fixPattern(problem, std::move(pairs));
         findLinkPairs(problem);
+        findIdle(problem);
     }
     current_ = current_ && keepsBodies(problem);
 }
@@ -84,7 +114,7 @@ bool StepMatrix::keepsBodies(const StepProblem& problem) const {
 
 void StepMatrix::fixPattern(const StepProblem& problem, std::vector<std::pair<int, int>> pairs) {
     current_ = false;
-    known_ = problem.known;
+    patternKnown_ = problem.known;
     pairs_ = std::move(pairs);
     own_.clear();
     for (std::size_t p = 0; p < pairs_.size(); ++p)
@@ -92,7 +122,7 @@ void StepMatrix::fixPattern(const StepProblem& problem, std::vector<std::pair<in
     equations_.assign(problem.unknowns() + LinkRows::padding, -1);
     unknownOf_.clear();
     for (int i = 0; i < problem.unknowns(); ++i) {
-        if (known_[i]) continue;
+        if (patternKnown_[i]) continue;
         equations_[i] = static_cast<int>(unknownOf_.size());
         unknownOf_.push_back(i);
     }
@@ -218,7 +248,9 @@ Eigen::VectorXd StepMatrix::solve(const Eigen::VectorXd& force, StepWork& work) 
     assert(current_);
     ++work.solves;
     for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = force[unknownOf_[i]];
+    for (const int idle : idle_) right_[idle] = 0.0;
     system_.solve(right_, left_);
+    for (const int idle : idle_) left_[idle] = 0.0;  // round-off of the updates that removed their links
     Eigen::VectorXd x = Eigen::VectorXd::Zero(force.size());
     for (std::size_t i = 0; i < left_.size(); ++i) x[unknownOf_[i]] = left_[i];
     return x;

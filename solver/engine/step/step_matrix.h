@@ -64,6 +64,8 @@ private:
     using Slots = std::array<int, 36>;
 
     bool keepsPattern(const StepProblem& problem, const std::vector<std::pair<int, int>>& pairs) const;
+    bool keepsUnknowns(const StepProblem& problem) const;
+    void findIdle(const StepProblem& problem);
     void fixPattern(const StepProblem& problem, std::vector<std::pair<int, int>> pairs);
     void findSlots(const StepProblem& problem);
     void findLinkPairs(const StepProblem& problem);
@@ -76,9 +78,11 @@ private:
     int pairOf(int a, int b) const;
 
     LinearSystem system_;
-    std::vector<char> known_;
+    std::vector<char> patternKnown_;  // per unknown: it was prescribed when the pattern was fixed, and has no equation
+    std::vector<char> known_;  // per unknown: it is prescribed in this step
+    std::vector<int> idle_;  // equations of unknowns that are prescribed in this step: nodes of lost bolts
     std::vector<std::pair<int, int>> pairs_;  // pairs of bodies with non-zero entries, sorted
-    std::vector<int> equations_;  // per padded unknown: its equation; −1: prescribed
+    std::vector<int> equations_;  // per padded unknown: its equation; −1: none
     std::vector<int> unknownOf_;  // per equation: its unknown
     std::vector<int> own_;  // per body: row of `pairs_` of the body with itself
     std::vector<Slots> slots_;  // per pair: slots of its 6 × 6 lower-triangle entries, by columns; −1: not stored

@@ -125,6 +125,71 @@ TEST(StepMatrix, KeptFromAnEarlierStepSolvesToRoundOff) {
     EXPECT_EQ(work.factorizations, 1);
 }
 
+/// A row of bodies, each with a bolt node that a spring connects to it.
+StepProblem rowOfBodiesWithNodes() {
+    StepProblem problem = rowOfBodies(links(0.0));
+    problem.nodes = bodies;
+    problem.nodeStiffness.assign(bodies, Eigen::Vector3d::Constant(10.0));
+    problem.known.assign(problem.unknowns(), 0);
+    problem.value = Eigen::VectorXd::Zero(problem.unknowns());
+    problem.weight = Eigen::VectorXd::Ones(problem.unknowns());
+    problem.load = Eigen::VectorXd::LinSpaced(problem.unknowns(), 1.0, 2.0);
+    problem.ownForce.assign(2 * bodies, 1.0);
+    for (int node = 0; node < bodies; ++node) {
+        Link link = between(node, 3, 0.3 * node);
+        link.kind = LinkKind::AnchorSlip;
+        link.owner = node;
+        link.b = bodies + node;
+        link.gb << -link.ga.head<3>(), 0.0, 0.0, 0.0;
+        problem.links.push_back(link);
+    }
+    return problem;
+}
+
+/// Nothing acts on the nodes of a lost bolt, and they are prescribed. With `keepsLinks`, the links of the node remain.
+StepProblem withoutNode(StepProblem problem, int node, bool keepsLinks) {
+    for (int k = 0; k < 3; ++k) problem.known[problem.first(bodies + node) + k] = 1;
+    if (!keepsLinks) std::erase_if(problem.links, [&](const Link& link) { return link.b == bodies + node; });
+    return problem;
+}
+
+Eigen::VectorXd solved(StepMatrix& matrix, const StepProblem& problem, StepWork& work) {
+    const LinkRows rows(problem);
+    matrix.begin(problem, rows);
+    EXPECT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
+    return unpadded(matrix.solve(padded(problem.load), work));
+}
+
+TEST(StepMatrix, KeepsItsFactorWhenABoltIsLost) {
+    StepMatrix kept;
+    StepWork work;
+    StepProblem problem = rowOfBodiesWithNodes();
+    solved(kept, problem, work);
+    problem = withoutNode(problem, 2, false);
+    const Eigen::VectorXd d = solved(kept, problem, work);
+    EXPECT_EQ(work.fullFactorizations, 1);
+    StepMatrix fresh;
+    EXPECT_LE((d - solved(fresh, problem, work)).norm(), 1e-10 * d.norm());
+    EXPECT_TRUE(d.segment<3>(problem.first(bodies + 2)).isZero(0.0));
+}
+
+TEST(StepMatrix, BeginsAgainWhenManyBoltsAreLostOrANodeThatStillActsIsPrescribed) {
+    const auto factorsAfter = [](const StepProblem& later) {
+        StepMatrix matrix;
+        StepWork work;
+        solved(matrix, rowOfBodiesWithNodes(), work);
+        const Eigen::VectorXd d = solved(matrix, later, work);
+        StepMatrix fresh;
+        StepWork own;
+        EXPECT_LE((d - solved(fresh, later, own)).norm(), 1e-10 * d.norm());
+        return work.fullFactorizations;
+    };
+    const StepProblem all = rowOfBodiesWithNodes();
+    EXPECT_EQ(factorsAfter(withoutNode(all, 1, false)), 1);
+    EXPECT_EQ(factorsAfter(withoutNode(all, 1, true)), 2);
+    EXPECT_EQ(factorsAfter(withoutNode(withoutNode(all, 1, false), 2, false)), 2);
+}
+
 TEST(StepMatrix, KeptFactorFollowsAWeightThatChanges) {
     StepMatrix matrix;
     StepWork work;
