@@ -84,7 +84,7 @@ public:
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           whole_(moved_), expected_(std::move(expected)),
           tolerance_(std::min(settings.unbalanced, engine.model.numerics.tolerance)),
-          driven_(longestDrive(path.before, path.at) > 0.0),
+          driven_(longestDrive(path.before, path.at) > 0.0), keepsLoad_(!driven_ && isSameLoad(path.before, path.at)),
           moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * engine.model.smallest),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
@@ -435,9 +435,12 @@ private:
     }
 
     /// The next pseudo-step: longer after one that was solved easily, but not so long that freely falling blocks would
-    /// move too far in it.
+    /// move too far in it. Where a failed part has hardly disturbed an equilibrium, the second pseudo-step is as long as
+    /// the first, so that the factor can be kept.
     double nextStep(double moveOverLimit) const {
-        const double ease = report_.converged ? easeAfter(report_.passes) : unsettledEase;
+        const bool hardlyDisturbed = keepsLoad_ && residual_ <= settings_.unbalanced;
+        const double easiest = hardlyDisturbed && taken_ == 1 ? 1.0 : easeAfter(report_.passes);
+        const double ease = report_.converged ? std::min(easiest, easeAfter(report_.passes)) : unsettledEase;
         const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
         return std::min(std::min(room, ease) * dt_, longest_);
     }
@@ -538,6 +541,7 @@ private:
     Eigen::VectorXd expected_;  // estimate of the displacement over the search; empty: unknown, or already used
     double tolerance_;
     bool driven_;  // by a prescribed motion or a dilation
+    bool keepsLoad_;  // the load does not change in this search: a failed part disturbs an equilibrium
     double moveLimit_;
     double reach_ = 0.0;  // limit of any displacement in the next pseudo-step [m]
     double longest_, dt_, lastDt_ = 0.0;
