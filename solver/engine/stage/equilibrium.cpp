@@ -58,6 +58,7 @@ constexpr int sweepPatience = 15;  // iterations before sweeps are tried; with s
 constexpr double roughly = 0.1;  // residual up to which a pseudo-step without convergence is accepted
 constexpr double unsettledEase = 0.5;  // factor for the step length after such a pseudo-step
 constexpr double unsettledCut = 0.1;  // the same factor after a pseudo-step that is not accepted
+constexpr double slightUnrest = 10.0;  // times the unbalanced force allowed on a body at rest
 constexpr double swingCut = 0.3;  // the same factor after pseudo-steps that go back and forth
 constexpr double fadingSwing = 0.7;  // of the previous step: smaller oscillations die out by themselves
 constexpr double noSwing = 1e3;  // times round-off: shorter moves are noise
@@ -84,7 +85,7 @@ public:
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           whole_(moved_), expected_(std::move(expected)),
           tolerance_(std::min(settings.unbalanced, engine.model.numerics.tolerance)),
-          driven_(longestDrive(path.before, path.at) > 0.0), keepsLoad_(!driven_ && isSameLoad(path.before, path.at)),
+          driven_(longestDrive(path.before, path.at) > 0.0), keepsLoad_(isSameLoad(path.before, path.at)),
           moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * engine.model.smallest),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
@@ -435,14 +436,18 @@ private:
     }
 
     /// The next pseudo-step: longer after one that was solved easily, but not so long that freely falling blocks would
-    /// move too far in it. Where a failed part has hardly disturbed an equilibrium, the second pseudo-step is as long as
-    /// the first, so that the factor can be kept.
+    /// move too far in it.
     double nextStep(double moveOverLimit) const {
-        const bool hardlyDisturbed = keepsLoad_ && residual_ <= settings_.unbalanced;
-        const double easiest = hardlyDisturbed && taken_ == 1 ? 1.0 : easeAfter(report_.passes);
-        const double ease = report_.converged ? std::min(easiest, easeAfter(report_.passes)) : unsettledEase;
+        double ease = report_.converged ? easeAfter(report_.passes) : unsettledEase;
+        if (followsSlightUnrest()) ease = std::min(ease, 1.0);
         const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
         return std::min(std::min(room, ease) * dt_, longest_);
+    }
+
+    /// True after the first pseudo-step of a search under a constant load that began with little unbalanced force on
+    /// every body, as after the failure of a small part. A second one of the same length keeps the factor.
+    bool followsSlightUnrest() const {
+        return keepsLoad_ && taken_ == 1 && beforeMotion_ == 0 && unrest_.beyond <= slightUnrest;
     }
 
     /// The first pseudo-step: under gravity it is short enough for loose blocks. If a motion drives blocks, no inertia
@@ -541,7 +546,7 @@ private:
     Eigen::VectorXd expected_;  // estimate of the displacement over the search; empty: unknown, or already used
     double tolerance_;
     bool driven_;  // by a prescribed motion or a dilation
-    bool keepsLoad_;  // the load does not change in this search: a failed part disturbs an equilibrium
+    bool keepsLoad_;  // the load does not change in this search, e.g. after the failure of a part
     double moveLimit_;
     double reach_ = 0.0;  // limit of any displacement in the next pseudo-step [m]
     double longest_, dt_, lastDt_ = 0.0;

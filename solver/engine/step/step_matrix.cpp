@@ -60,24 +60,24 @@ bool StepMatrix::keepsPattern(const StepProblem& problem, const std::vector<std:
            std::includes(pairs_.begin(), pairs_.end(), pairs.begin(), pairs.end());
 }
 
-/// Whether the step has the unknowns of the pattern. Nodes of bolts that have been lost since may keep their equations,
-/// because nothing acts on them any more.
+/// Whether the step has the unknowns of the pattern. Nodes of bolts that were lost or removed after the pattern was fixed
+/// may keep their equations, because no link acts on them.
 bool StepMatrix::keepsUnknowns(const StepProblem& problem) const {
     if (patternKnown_ == problem.known) return true;
     if (patternKnown_.size() != problem.known.size()) return false;
     std::vector<char> isIdle(problem.nodes, 0);
-    std::size_t idle = 0;
+    std::size_t count = 0;
     for (int i = 0; i < problem.unknowns(); ++i) {
         if (patternKnown_[i] == problem.known[i]) continue;
         const int node = bodyOf(problem, i) - problem.blocks;
         if (patternKnown_[i] || node < 0 || !(problem.nodeStiffness[node].minCoeff() > 0.0)) return false;
         isIdle[node] = 1;
-        ++idle;
+        ++count;
     }
-    const auto idles = [&](int body) { return body >= problem.blocks && isIdle[body - problem.blocks]; };
-    return static_cast<double>(idle) <= mostIdle * static_cast<double>(unknownOf_.size()) &&
+    const auto ofIdle = [&](int body) { return body >= problem.blocks && isIdle[body - problem.blocks]; };
+    return static_cast<double>(count) <= mostIdle * static_cast<double>(unknownOf_.size()) &&
            std::none_of(problem.links.begin(), problem.links.end(),
-                        [&](const Link& link) { return idles(link.a) || idles(link.b); });
+                        [&](const Link& link) { return ofIdle(link.a) || ofIdle(link.b); });
 }
 
 /// Lists the equations of unknowns that are prescribed in this step.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The matrix of a step, K + Σ wᵢ gᵢ gᵢᵀ: inertia and elasticity of the bodies plus a
-// rank-one term for every link with stiffness. Its factor is kept within the step and,
-// in motion, from step to step. If few links differ from those in the factor it is
+// rank-one term for every link with stiffness. Its factor is kept within the step and
+// from step to step. If few links differ from those in the factor it is
 // updated rank by rank, otherwise it is recomputed. The choice depends on a count of
 // operations, never on measured time. The gradients in a factor that was kept are
 // slightly out of date, so solutions with it need a few iterations
@@ -80,7 +80,7 @@ private:
     LinearSystem system_;
     std::vector<char> patternKnown_;  // per unknown: it was prescribed when the pattern was fixed, and has no equation
     std::vector<char> known_;  // per unknown: it is prescribed in this step
-    std::vector<int> idle_;  // equations of unknowns that are prescribed in this step: nodes of lost bolts
+    std::vector<int> idle_;  // equations of unknowns that are prescribed in this step: nodes of bolts that act no more
     std::vector<std::pair<int, int>> pairs_;  // pairs of bodies with non-zero entries, sorted
     std::vector<int> equations_;  // per padded unknown: its equation; −1: none
     std::vector<int> unknownOf_;  // per equation: its unknown
