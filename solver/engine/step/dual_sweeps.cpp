@@ -14,7 +14,7 @@ namespace {
 // leave fewer further iterations, each of which may need another factorization. In a search for equilibrium, sweeps
 // seldom help.
 constexpr int mostInMotion = 120, mostInSearch = 36;
-constexpr double settledChange = 1e-5;  // change of the forces in a sweep, relative to the forces
+constexpr double settledChange = 7e-6;  // change of the forces in a sweep, relative to the forces
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
 constexpr int mixedSweeps = 4;  // number of differences between successive sweeps that Anderson mixing combines

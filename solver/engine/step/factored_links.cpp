@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/factored_links.h"
 
+#include "solver/engine/step/link_keys.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,55 +13,7 @@ namespace {
 
 constexpr double equalWeight = 1e-9;  // relative difference up to which two weights are equal
 constexpr double sameWeight = 1e-2;  // relative change of weight up to which a link keeps its weight in the factor
-constexpr std::ptrdiff_t keysAhead = 32;  // number of keys searched ahead; beyond that, rows are matched by sorting
 constexpr double sameGradient = 1e-4;  // squared relative change of gradient beyond which a link is replaced
-
-/// Key that identifies a link from step to step. Contacts are identified by their features, because their numbers
-/// change.
-std::uint64_t keyOf(const Link& link) {
-    std::uint64_t key = 0;
-    const auto mix = [&](std::uint64_t part) {
-        key = (key ^ part) * 0x9E3779B97F4A7C15u;
-        key ^= key >> 29;
-    };
-    mix(static_cast<std::uint64_t>(link.kind));
-    mix(static_cast<std::uint64_t>(link.a + 1));
-    mix(static_cast<std::uint64_t>(link.b + 1));
-    mix(ofContact(link.kind) ? link.features : static_cast<std::uint64_t>(link.owner + 1));
-    mix(static_cast<std::uint64_t>(link.part + 1));
-    return key;
-}
-
-/// Rows with their keys.
-using KeyedRows = std::vector<std::pair<std::uint64_t, int>>;
-
-/// Visits the rows with equal keys in two lists that mostly have the same keys in the same order.
-/// \param visit called with a row of the first list and a row of the second.
-/// \return the other rows of each list, sorted by key.
-template <class Visit>
-std::pair<KeyedRows, KeyedRows> alignRows(const std::vector<std::uint64_t>& before,
-                                          const std::vector<std::uint64_t>& now, const Visit& visit) {
-    std::pair<KeyedRows, KeyedRows> others;
-    auto next = before.begin();
-    const auto leave = [&](auto to) {
-        for (; next != to; ++next) others.first.emplace_back(*next, static_cast<int>(next - before.begin()));
-    };
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        const auto end = next + std::min(keysAhead, before.end() - next);
-        const auto found = std::find(next, end, now[i]);
-        if (found == end) {
-            others.second.emplace_back(now[i], static_cast<int>(i));
-            continue;
-        }
-        leave(found);
-        visit(static_cast<std::size_t>(next - before.begin()), i);
-        ++next;
-    }
-    leave(before.end());
-    std::sort(others.first.begin(), others.first.end());
-    std::sort(others.second.begin(), others.second.end());
-    return others;
-}
 
 FactoredLink asNow(const LinkRows& rows, std::size_t i, double weight) {
     FactoredLink link{weight, rows.firstOfA(i), rows.firstOfB(i), {}};

@@ -72,10 +72,11 @@ int bodyOf(const StepProblem& problem, int unknown) {
 /// Solution of one step.
 class StepSolver::Newton {
 public:
-    Newton(StepProblem& problem, StepMatrix& matrix, const SolveSettings& settings,
-           const std::function<bool()>& stopAsked, bool isLocal = false)
-        : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), isLocal_(isLocal),
-          rows_(problem) {
+    /// \param trend of the contact forces; null: solves for some bodies of another step.
+    Newton(StepProblem& problem, StepMatrix& matrix, ForceTrend* trend, const SolveSettings& settings,
+           const std::function<bool()>& stopAsked)
+        : problem_(problem), matrix_(matrix), trend_(trend), settings_(settings), stopAsked_(stopAsked),
+          isLocal_(!trend), rows_(problem) {
         if (!isLocal_) carried_ = DualSweeps::carriedForces(problem_, rows_);
     }
 
@@ -209,7 +210,7 @@ private:
         beforeSweeps_ = trial_;
         residualBefore_ = report_.residual;
         ++tries_;
-        if (!dual_) dual_.emplace(problem_, rows_, carried_);
+        if (!dual_) beginSweeps();
         sweeps_ = false;
         if (dual_->possible() && sweepsSolve()) return;
         std::optional<Eigen::VectorXd> d;
@@ -220,6 +221,12 @@ private:
             if (report_.passes == 0) dropFirstSweeps();
         }
         judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
+    }
+
+    /// Prepares sweeps from the forces before the step, in motion with their trend.
+    void beginSweeps() {
+        if (!rests()) trend_->predict(problem_, carried_);
+        dual_.emplace(problem_, rows_, carried_);
     }
 
     /// Sweeps, and continues while the displacement under the swept forces may solve the step. In motion, often only a
@@ -349,7 +356,7 @@ private:
         settings.sweepsFirst = nullptr;
         StepMatrix matrix;
         const std::function<bool()> never;
-        const SolveReport report = Newton(local.problem, matrix, settings, never, true).from(own);
+        const SolveReport report = Newton(local.problem, matrix, nullptr, settings, never).from(own);
         report_.work.products += std::lround(share * workOf(report.work) / productWork);
         local.insert(problem_, own, d);
         return d;
@@ -413,6 +420,7 @@ private:
     StepProblem& problem_;
     StepMatrix& matrix_;
     bool isMatrixReady_ = false;
+    ForceTrend* trend_;
     const SolveSettings& settings_;
     const std::function<bool()>& stopAsked_;
     bool isLocal_;  // solves for some bodies of another step
@@ -441,7 +449,9 @@ SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const So
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[i]) d[i] = problem.value[i];
     if (settings.openClose) return openClose(problem, d, settings, stopAsked);
-    return Newton(problem, matrix_, settings, stopAsked).from(d);
+    const SolveReport report = Newton(problem, matrix_, &trend_, settings, stopAsked).from(d);
+    if (!settings.fromGuess) trend_.endStep();  // otherwise the step is repeated from its last solution
+    return report;
 }
 
 }  // namespace keyblock

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "solver/engine/step/dual_sweeps.h"
+#include "solver/engine/step/force_trend.h"
 #include "solver/engine/step/step_matrix.h"
 #include "solver/engine/step/sweeps_first.h"
 
@@ -33,7 +34,8 @@ struct SolveReport {
     bool singular = false;
 };
 
-/// Solver for steps. It keeps the matrix pattern, the ordering and the factor from step to step.
+/// Solver for steps. It keeps the matrix pattern, the ordering, the factor and the trend of the contact forces from step
+/// to step.
 class StepSolver {
 public:
     /// Solves the step. Iteration starts from `d` or from zero displacement, whichever has the smaller residual once
@@ -52,6 +54,7 @@ private:
                           const std::function<bool()>& stopAsked);
 
     StepMatrix matrix_;
+    ForceTrend trend_;
 };
 
 /// Fraction of the tolerance up to which the start of a dynamic step may be unbalanced without needing a solution.
