@@ -160,6 +160,7 @@ void SleepingStage::count(const Engine& engine, double dt, double time, State& s
 StepEnding SleepingStage::stepOfPart(State& state, double& time, double end, DynamicPace& pace,
                                      StepObserver& observer) {
     const Model& model = engine_.model;
+    engine_.solver.forgetTrend();  // of the last step of the whole
     for (int wakings = 0;; ++wakings) {
         if (wakings == mostWakings) wakeAllAt(time, state);
         if (!anyAsleep(state)) return stepOfWhole(state, time, end, pace, observer);

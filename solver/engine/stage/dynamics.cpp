@@ -170,6 +170,7 @@ StepEnding DynamicStage::begin(State& state, bool inMotion) {
     state.acceleration.clear();
     if (!inMotion && !takePreload(engine_, state, loads_, loadsAt_(0.0), settings_.timeStep))
         return {Ending::Stopped, "", {}};
+    engine_.solver.forgetTrend();
     drive(state);
     if (!carriesAccelerations(settings_.scheme)) return {};
     const Eigen::VectorXd first = accelerationsAt(state, 0.0, settings_.damping);

@@ -32,7 +32,7 @@ namespace keyblock {
 
 class DualSweeps {
 public:
-    /// \param carried the initial forces, from `carriedForces`.
+    /// \param carried the initial forces, from `carriedForces`, possibly continued.
     DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried);
 
     /// Force of each link at zero displacement under the current friction limits, not multiplied by `Law::share` [N].

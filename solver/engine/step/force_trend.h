@@ -15,9 +15,9 @@ namespace keyblock {
 
 class ForceTrend {
 public:
-    /// Adds a fraction of their change since the last step to the forces at the start of a step. Contacts that did not
-    /// exist then keep their forces.
-    /// \param forces one per link of the step, at zero displacement [N].
+    /// Continues the contact forces: adds to each a fraction of its change from the start of the last step to the start
+    /// of this one. Contacts that are not found in the last step keep their forces.
+    /// \param forces one per link of the step, at zero displacement; changed in place [N].
     void predict(const StepProblem& problem, std::vector<double>& forces);
 
     /// Ends a step. After one in which nothing was predicted, the stored forces are those of an earlier step; they are
@@ -25,7 +25,7 @@ public:
     void endStep();
 
 private:
-    std::vector<std::uint64_t> keys_;  // per link between blocks at the start of the last step
+    std::vector<std::uint64_t> keys_;  // per contact link at the start of the last step
     std::vector<double> forces_;  // the same [N]
     bool isCurrent_ = false;  // they are of the step that is being solved
 };

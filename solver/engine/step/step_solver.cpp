@@ -223,9 +223,10 @@ private:
         judge(trialAt(problem_, rows_, d ? std::move(*d) : std::move(beforeSweeps_.d)));
     }
 
-    /// Prepares sweeps from the forces before the step, in motion with their trend.
+    /// Prepares sweeps from the forces before the step. In motion these are continued, unless the step is repeated from
+    /// its last solution.
     void beginSweeps() {
-        if (!rests()) trend_->predict(problem_, carried_);
+        if (problem_.moves && !settings_.fromGuess) trend_->predict(problem_, carried_);
         dual_.emplace(problem_, rows_, carried_);
     }
 
@@ -429,7 +430,7 @@ private:
     Trial from_;  // of the last Newton step; kept for its memory
     std::optional<Balance> balance_;
     SolveReport report_;
-    std::vector<double> carried_;  // forces of the links before the step, from which sweeps may start
+    std::vector<double> carried_;  // forces of the links before the step, or their continuation, from which sweeps may start
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
     bool startsEasy_ = true;  // the start is nearly balanced, or an earlier solution that is continued

@@ -44,6 +44,9 @@ public:
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 
+    /// Forgets how the contact forces changed in the last step, where the next one does not continue it.
+    void forgetTrend() { trend_ = {}; }
+
     /// Number of entries of the last factor, including stored zeros.
     double factorEntries() const { return matrix_.factorEntries(); }
 
