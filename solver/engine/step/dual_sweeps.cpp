@@ -14,7 +14,9 @@ namespace {
 // leave fewer further iterations, each of which may need another factorization. In a search for equilibrium, sweeps
 // seldom help.
 constexpr int mostInMotion = 120, mostInSearch = 36;
-constexpr double settledChange = 7e-6;  // change of the forces in a sweep, relative to the forces
+// change of the forces in a sweep, relative to the forces, in motion and in a search for equilibrium: in motion, sweeps
+// begin nearer to the solution, so that the same change says less of what is left
+constexpr double settledInMotion = 7e-6, settledInSearch = 1e-5;
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
 constexpr int mixedSweeps = 4;  // number of differences between successive sweeps that Anderson mixing combines
@@ -25,7 +27,8 @@ constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used 
 
 DualSweeps::DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried)
     : problem_(problem), rows_(rows), swept_(problem, rows), forces_(swept_.count()), isSwept_(rows.count(), 0),
-      mixing_(mixedSweeps), most_(problem.mayLeave.empty() ? mostInMotion : mostInSearch) {
+      mixing_(mixedSweeps), most_(problem.mayLeave.empty() ? mostInMotion : mostInSearch),
+      settled_(problem.mayLeave.empty() ? settledInMotion : settledInSearch) {
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         forces_[n] = carried[swept_.linkOf(n)];
         isSwept_[swept_.linkOf(n)] = 1;
@@ -50,7 +53,7 @@ void DualSweeps::sweepOnce(StepWork& work) {
     ++made_;
 }
 
-bool DualSweeps::isSettled() const { return !(last_.changed > settledChange * settledChange * last_.forces); }
+bool DualSweeps::isSettled() const { return !(last_.changed > settled_ * settled_ * last_.forces); }
 
 /// Estimated difference between the forces that the laws give and the swept forces, relative to these.
 double DualSweeps::mismatch() const {
