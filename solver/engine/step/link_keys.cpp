@@ -11,10 +11,10 @@ std::uint64_t keyOf(const Link& link) {
         key ^= key >> 29;
     };
     mix(static_cast<std::uint64_t>(link.kind));
-    mix(static_cast<std::uint64_t>(link.a + 1));
-    mix(static_cast<std::uint64_t>(link.b + 1));
-    mix(ofContact(link.kind) ? link.features : static_cast<std::uint64_t>(link.owner + 1));
-    mix(static_cast<std::uint64_t>(link.part + 1));
+    mix(static_cast<std::uint64_t>(link.a) + 1);
+    mix(static_cast<std::uint64_t>(link.b) + 1);
+    mix(ofContact(link.kind) ? link.features : static_cast<std::uint64_t>(link.owner) + 1);
+    mix(static_cast<std::uint64_t>(link.part) + 1);
     return key;
 }
 

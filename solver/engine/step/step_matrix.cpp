@@ -69,8 +69,8 @@ bool StepMatrix::keepsUnknowns(const StepProblem& problem) const {
     std::size_t count = 0;
     for (int i = 0; i < problem.unknowns(); ++i) {
         if (patternKnown_[i] == problem.known[i]) continue;
-        const int node = bodyOf(problem, i) - problem.blocks;
-        if (patternKnown_[i] || node < 0 || !(problem.nodeStiffness[node].minCoeff() > 0.0)) return false;
+        const int node = (i - 6 * problem.blocks) / 3;
+        if (patternKnown_[i] || i < 6 * problem.blocks || !(problem.nodeStiffness[node].minCoeff() > 0.0)) return false;
         isIdle[node] = 1;
         ++count;
     }

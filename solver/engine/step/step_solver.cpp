@@ -430,7 +430,7 @@ private:
     Trial from_;  // of the last Newton step; kept for its memory
     std::optional<Balance> balance_;
     SolveReport report_;
-    std::vector<double> carried_;  // forces of the links before the step, or their continuation, from which sweeps may start
+    std::vector<double> carried_;  // forces of the links from which sweeps may start: before the step, or continued
     std::optional<DualSweeps> dual_;
     bool sweeps_ = false, swept_ = false;  // sweeps are to be made next; sweeps were made last
     bool startsEasy_ = true;  // the start is nearly balanced, or an earlier solution that is continued
