@@ -52,13 +52,15 @@ constexpr double pathShare = 1e-4;  // of the longest move: a longer move may en
 // of the smaller block's size: a corner that enters no deeper than this through another edge than estimated is corrected
 // in the next pseudo-step
 constexpr double deepEntrance = 1e-5;
+// times the unbalanced force allowed on a body: up to this, the second pseudo-step under a constant load is as long as
+// the first
+constexpr double slightUnrest = 10.0;
 constexpr int mostPaths = 2;  // repetitions of a pseudo-step for this reason
 constexpr int mostPasses = 20;  // largest number of iterations of a pseudo-step
 constexpr int sweepPatience = 15;  // iterations before sweeps are tried; with so little inertia they seldom help
 constexpr double roughly = 0.1;  // residual up to which a pseudo-step without convergence is accepted
 constexpr double unsettledEase = 0.5;  // factor for the step length after such a pseudo-step
 constexpr double unsettledCut = 0.1;  // the same factor after a pseudo-step that is not accepted
-constexpr double slightUnrest = 10.0;  // times the unbalanced force allowed on a body at rest
 constexpr double swingCut = 0.3;  // the same factor after pseudo-steps that go back and forth
 constexpr double fadingSwing = 0.7;  // of the previous step: smaller oscillations die out by themselves
 constexpr double noSwing = 1e3;  // times round-off: shorter moves are noise

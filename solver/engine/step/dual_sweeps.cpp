@@ -15,7 +15,7 @@ namespace {
 // seldom help.
 constexpr int mostInMotion = 120, mostInSearch = 36;
 // change of the forces in a sweep, relative to the forces, in motion and in a search for equilibrium: in motion, sweeps
-// begin nearer to the solution, so that the same change says less of what is left
+// begin nearer to the solution, and the same change would leave more wrong states
 constexpr double settledInMotion = 7e-6, settledInSearch = 1e-5;
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first

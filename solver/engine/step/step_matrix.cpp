@@ -13,7 +13,7 @@ namespace keyblock {
 namespace {
 
 constexpr double sameBody = 1e-3;  // relative change of a body's stiffness up to which a factor is kept
-constexpr double mostIdle = 0.1;  // fraction of the equations that may belong to nodes of lost bolts
+constexpr double mostIdle = 0.1;  // fraction of the equations that may belong to nodes of lost or removed bolts
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;

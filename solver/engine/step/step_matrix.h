@@ -80,7 +80,7 @@ private:
     LinearSystem system_;
     std::vector<char> patternKnown_;  // per unknown: it was prescribed when the pattern was fixed, and has no equation
     std::vector<char> known_;  // per unknown: it is prescribed in this step
-    std::vector<int> idle_;  // equations of unknowns that are prescribed in this step: nodes of bolts that act no more
+    std::vector<int> idle_;  // equations of unknowns that are prescribed in this step: nodes of lost or removed bolts
     std::vector<std::pair<int, int>> pairs_;  // pairs of bodies with non-zero entries, sorted
     std::vector<int> equations_;  // per padded unknown: its equation; −1: none
     std::vector<int> unknownOf_;  // per equation: its unknown
