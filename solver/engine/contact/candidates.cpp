@@ -271,9 +271,11 @@ bool Standings::holdsUp(int block, int corner, const Point& normal) const {
                        });
 }
 
-double CandidateSearch::slack(int a, int b) const {
+double slackBetween(const Model& model, int a, int b) {
     return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
 }
+
+double deepestNear(const BlockModel& block) { return deepest * block.size; }
 
 Box CandidateSearch::reachOf(int a, int b) const {
     constexpr double rounding = 1.0 + 1e-9;  // no corner may be skipped because of rounding
@@ -285,27 +287,42 @@ Box CandidateSearch::reachOf(int a, int b) const {
 }
 
 void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const {
-    const std::vector<Point>& own = blocks[a].corners;
-    const Point &p = own[corner], moves = movesOf(*this, a, corner, b);
-    const double over = slack(a, b), room = over + margin;
-    const Outline& outline = outlines[b];
-    if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return;
+    const double moves = movesOf(*this, a, corner, b).norm();
+    if (!isNearBox(a, corner, b, moves > margin ? moves : 0.0)) return;
+    for (int turn = 0; turn < static_cast<int>(outlines[b].runs.size()); ++turn) addIfNear(a, corner, b, turn, near);
+}
+
+void CandidateSearch::addNearEdges(int a, int corner, int b, std::span<const int> turns,
+                                   std::vector<NearEdge>& near) const {
+    if (!isNearBox(a, corner, b, 0.0)) return;
+    for (const int turn : turns) addIfNear(a, corner, b, turn, near);
+}
+
+/// False if the corner is so far outside the box of block B that it is near none of its edges.
+bool CandidateSearch::isNearBox(int a, int corner, int b, double moves) const {
+    const Point& p = blocks[a].corners[corner];
+    return meets(grown(outlines[b].box, 2.0 * (slack(a, b) + margin) + moves), {p, p});
+}
+
+void CandidateSearch::addIfNear(int a, int corner, int b, int turn, std::vector<NearEdge>& near) const {
     const std::vector<char>& inner = model.blocks[b].inner;
-    for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
-        if (!inner.empty() && inner[model.blocks[b].turns[turn]]) continue;  // not a face: glued to the next cell
-        const Edge& edge = outline.runs[turn];
-        const Point from = p - edge.start;
-        const double gap = edge.outward.dot(from), along = edge.along.dot(from);
-        if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
-        if ((along < -room || along > edge.length + room) && !isInFront(edge, along, moves, over)) continue;
-        if (!facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
-        // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
-        // above the slab. On the boundary, a corner is at another edge.
-        const auto isBehind = [&] {
-            return locate(blocks[b].corners, p, over) != Side::Inside || isBehindSliver(outline.runs, edge, p, over);
-        };
-        near.push_back({turn, gap, along, gap < -over && isBehind()});
-    }
+    if (!inner.empty() && inner[model.blocks[b].turns[turn]]) return;  // not a face: glued to the next cell
+    const std::vector<Point>& own = blocks[a].corners;
+    const Edge& edge = outlines[b].runs[turn];
+    const Point from = own[corner] - edge.start;
+    const double gap = edge.outward.dot(from), along = edge.along.dot(from);
+    if (gap > margin || gap < -deepestNear(model.blocks[b])) return;
+    const double over = slack(a, b), room = over + margin;
+    if ((along < -room || along > edge.length + room) && !isInFront(edge, along, movesOf(*this, a, corner, b), over))
+        return;
+    if (!facesEdge(own, model.blocks[a].inner, corner, edge)) return;
+    // For example, a top corner of a brick on a wide slab is also in front of the slab's bottom edge, but from
+    // above the slab. On the boundary, a corner is at another edge.
+    const auto isBehind = [&] {
+        return locate(blocks[b].corners, own[corner], over) != Side::Inside ||
+               isBehindSliver(outlines[b].runs, edge, own[corner], over);
+    };
+    near.push_back({turn, gap, along, gap < -over && isBehind()});
 }
 
 double CandidateSearch::addEntrances(int a, int corner, int b, std::span<const NearEdge> near,

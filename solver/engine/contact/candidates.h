@@ -72,6 +72,12 @@ private:
     std::vector<Entry> entries_;
 };
 
+/// Distance past the end of an edge of block B up to which a corner of block A still counts as resting on it [m].
+double slackBetween(const Model& model, int a, int b);
+
+/// Depth behind an edge of the block up to which a corner may be near it [m].
+double deepestNear(const BlockModel& block);
+
 struct CandidateSearch {
     const Model& model;
     const std::vector<BlockMotion>& blocks;
@@ -82,8 +88,8 @@ struct CandidateSearch {
     double margin;
     bool estimated = false;  // the path is an estimate: near a corner of block B, the edge of the last contact is kept
 
-    /// Distance past the end of an edge of block B up to which a corner of block A still counts as resting on it [m].
-    double slack(int a, int b) const;
+    /// `slackBetween` for two blocks.
+    double slack(int a, int b) const { return slackBetween(model, a, b); }
 
     /// The box outside of which no corner of block A can be in contact with block B.
     Box reachOf(int a, int b) const;
@@ -92,10 +98,17 @@ struct CandidateSearch {
     /// than the margin.
     void addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const;
 
+    /// The same among the edges that begin at `turns`. \pre no others are near, and the path is within the margin.
+    void addNearEdges(int a, int corner, int b, std::span<const int> turns, std::vector<NearEdge>& near) const;
+
     /// Adds corner `corner` of block A with each of the near edges of block B through which it would enter.
     /// \return change of the relative displacement over the path up to which the result is certainly the same, if the
     ///         path is within the margin [m]; infinite if it is the same for all these paths.
     double addEntrances(int a, int corner, int b, std::span<const NearEdge> near, std::vector<Candidate>& found) const;
+
+private:
+    bool isNearBox(int a, int corner, int b, double moves) const;
+    void addIfNear(int a, int corner, int b, int turn, std::vector<NearEdge>& near) const;
 };
 
 /// Sort key of contacts: pair of blocks, then corner, then edge.

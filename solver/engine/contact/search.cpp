@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/search.h"
 
-#include "geometry/grid.h"
 #include "solver/engine/contact/bonded_corners.h"
 #include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/contact_history.h"
@@ -21,43 +20,87 @@ namespace {
 
 constexpr std::size_t pairsOfBatch = 64;
 
-using BlockPairs = std::vector<std::pair<int, int>>;
+/// Pairs of blocks between which contacts are searched for.
+struct SearchedPairs {
+    BlockPairs pairs;
+    std::vector<NeighbourList::Pair> listed;  // the same in the neighbour list; empty without one
+};
 
-BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Outline>& outlines,
-                     double margin) {
-    std::vector<Box> boxes;
-    boxes.reserve(outlines.size());
-    const double room = 0.5 * margin + model.tolerance;
-    for (const Outline& outline : outlines) boxes.push_back(grown(outline.box, room));
-    BlockPairs pairs = BoxGrid(std::move(boxes)).meetingPairs();
-    std::erase_if(pairs, [&](const auto& p) {
-        const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
-        const bool gone = blocks[p.first].absent || blocks[p.second].absent;
-        return still || gone || sameRock(model, p.first, p.second);
-    });
-    return pairs;
+SearchedPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
+                        const std::vector<Outline>& outlines, const NeighbourList* list, double margin) {
+    const auto isSearched = [&](int a, int b) {
+        const bool still = model.blocks[a].fixed && model.blocks[b].fixed;
+        return !still && !blocks[a].absent && !blocks[b].absent;
+    };
+    SearchedPairs found;
+    if (!list) {
+        found.pairs = pairsWithin(model, outlines, margin);
+        std::erase_if(found.pairs, [&](const auto& p) { return !isSearched(p.first, p.second); });
+        return found;
+    }
+    for (const NeighbourList::Pair& pair : list->pairs()) {
+        if (!isSearched(pair.a, pair.b) || !areWithin(model, outlines[pair.a], outlines[pair.b], margin)) continue;
+        found.pairs.emplace_back(pair.a, pair.b);
+        found.listed.push_back(pair);
+    }
+    return found;
 }
+
+/// Collects the candidates of two blocks in `found`, and the corners near edges in `corners`.
+class PairCandidates {
+public:
+    PairCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
+                   FoundCorners::Batch& corners)
+        : search_(search), found_(found), corners_(corners), pair_{a, b, std::ssize(corners.corners)} {}
+
+    /// Adds a corner of block `a` whose near edges of block `b` are found by `addNear`.
+    void add(int a, int corner, int b, const auto& addNear) {
+        const std::ptrdiff_t begin = std::ssize(corners_.near);
+        addNear(corners_.near);
+        const std::span near(corners_.near.begin() + begin, corners_.near.end());
+        if (near.empty()) return;
+        pair_.allowedChange = std::min(pair_.allowedChange, search_.addEntrances(a, corner, b, near, found_));
+        corners_.corners.push_back({a, corner, b, begin, std::ssize(corners_.near)});
+    }
+
+    void finish() {
+        pair_.end = std::ssize(corners_.corners);
+        corners_.pairs.push_back(pair_);
+    }
+
+private:
+    const CandidateSearch& search_;
+    std::vector<Candidate>& found_;
+    FoundCorners::Batch& corners_;
+    FoundCorners::Pair pair_;
+};
 
 /// Adds the candidates of two blocks to `found`, and the corners near edges to `corners`.
 void findCandidates(const CandidateSearch& search, int a, int b, std::vector<Candidate>& found,
                     FoundCorners::Batch& corners) {
-    FoundCorners::Pair pair{a, b, std::ssize(corners.corners)};
+    PairCandidates candidates(search, a, b, found, corners);
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
         const Box reach = search.reachOf(first, second);
         for (int corner : search.model.blocks[first].turns) {
             const Point& place = search.blocks[first].corners[corner];
             if (!meets(reach, {place, place})) continue;
-            const std::ptrdiff_t begin = std::ssize(corners.near);
-            search.addNearEdges(first, corner, second, corners.near);
-            const std::span near(corners.near.begin() + begin, corners.near.end());
-            if (near.empty()) continue;
-            const double allowed = search.addEntrances(first, corner, second, near, found);
-            pair.allowedChange = std::min(pair.allowedChange, allowed);
-            corners.corners.push_back({first, corner, second, begin, std::ssize(corners.near)});
+            candidates.add(first, corner, second, [&, own = first, other = second](std::vector<NearEdge>& near) {
+                search.addNearEdges(own, corner, other, near);
+            });
         }
     }
-    pair.end = std::ssize(corners.corners);
-    corners.pairs.push_back(pair);
+    candidates.finish();
+}
+
+/// The same from the neighbour list.
+void findCandidates(const CandidateSearch& search, const NeighbourList& list, const NeighbourList::Pair& pair,
+                    std::vector<Candidate>& found, FoundCorners::Batch& corners) {
+    PairCandidates candidates(search, pair.a, pair.b, found, corners);
+    for (const NeighbourList::Corner& c : list.corners(pair))
+        candidates.add(c.block, c.corner, c.other, [&](std::vector<NearEdge>& near) {
+            search.addNearEdges(c.block, c.corner, c.other, list.turns(c), near);
+        });
+    candidates.finish();
 }
 
 std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch, const FoundCorners::Pair& pair) {
@@ -66,10 +109,11 @@ std::span<const FoundCorners::Corner> cornersOf(const FoundCorners::Batch& batch
 
 /// For each block, the largest displacement on `drift` of its corners, and of other blocks' corners near its edges as
 /// far as they move with it [m].
-std::vector<double> largestMoves(const Model& model, const FoundCorners& found, const std::vector<Drift>& drift) {
+std::vector<double> largestMoves(const Model& model, const std::vector<Outline>& outlines, double margin,
+                                 const std::vector<Drift>& drift) {
     std::vector<double> moves(drift.size());
     for (std::size_t i = 0; i < drift.size(); ++i) {
-        const double reach = found.outlines[i].across + model.blocks[i].size + 2.0 * found.margin;
+        const double reach = outlines[i].across + model.blocks[i].size + 2.0 * margin;
         moves[i] = drift[i].shift.norm() + std::abs(drift[i].turn) * reach;
     }
     return moves;
@@ -79,13 +123,13 @@ std::vector<double> largestMoves(const Model& model, const FoundCorners& found, 
 class OtherPath {
 public:
     OtherPath(const Model& model, const FoundCorners& found, const std::vector<Drift>& drift)
-        : margin_(found.margin), moves_(largestMoves(model, found, drift)) {
+        : margin_(found.margin), moves_(largestMoves(model, found.outlines, found.margin, drift)) {
         std::vector<Drift> change = drift;
         for (std::size_t i = 0; i < change.size(); ++i) {
             change[i].shift -= found.drift[i].shift;
             change[i].turn -= found.drift[i].turn;
         }
-        changes_ = largestMoves(model, found, change);
+        changes_ = largestMoves(model, found.outlines, found.margin, change);
     }
 
     /// True if one of the blocks moves by so much that corners may come near edges that the search did not consider.
@@ -212,15 +256,26 @@ struct Entrances {
     }
 };
 
+/// The neighbour list, if it may be used for this search; otherwise null.
+const NeighbourList* readyList(const Model& model, const std::vector<BlockMotion>& blocks,
+                               const std::vector<Outline>& outlines, const std::vector<Drift>& drift,
+                               const ContactSearch& asked) {
+    if (!asked.neighbours) return nullptr;
+    const std::vector<double> moves = largestMoves(model, outlines, asked.margin, drift);
+    const double farthest = moves.empty() ? 0.0 : 2.0 * *std::ranges::max_element(moves);
+    return asked.neighbours->prepare(model, blocks, outlines, asked.margin, farthest) ? asked.neighbours : nullptr;
+}
+
 }  // namespace
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& asked) {
     const PhaseScope phase(Phase::Search);
     std::vector<Outline> outlines = outlinesOf(model, blocks);
-    const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
-    Standings standings(model, blocks, before);
     std::vector<Drift> drift = driftOf(blocks, asked.path);
+    const NeighbourList* list = readyList(model, blocks, outlines, drift, asked);
+    const auto [pairs, listed] = nearPairs(model, blocks, outlines, list, asked.margin);
+    Standings standings(model, blocks, before);
     const std::size_t batches = (pairs.size() + pairsOfBatch - 1) / pairsOfBatch;
     std::vector<std::vector<Contact>> perBatch(batches);
     std::vector<double> lost(pairs.size(), 0.0);
@@ -233,7 +288,8 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
             const std::span<const Contact>& own = beforeOf[i];
             const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
             found.clear();
-            findCandidates(search, pairs[i].first, pairs[i].second, found, corners[batch]);
+            if (list) findCandidates(search, *list, listed[i], found, corners[batch]);
+            else findCandidates(search, pairs[i].first, pairs[i].second, found, corners[batch]);
             dropDoubles(search, found);
             for (const Candidate& one : found)
                 perBatch[batch].push_back(contactOf(model, blocks, own, asked.first, one, lost[i]));
@@ -252,7 +308,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first) {
-    return findContacts(model, blocks, before, {margin, first, false, nullptr, nullptr, nullptr});
+    return findContacts(model, blocks, before, {.margin = margin, .first = first});
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,

@@ -6,7 +6,7 @@
 // corner and edge, or taken over from a contact at the same position.
 #pragma once
 
-#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/neighbour_list.h"
 
 #include <cstddef>
 #include <limits>
@@ -51,6 +51,7 @@ struct ContactSearch {
     double* released = nullptr;  // receives the elastic energy released by contacts that ended or changed [J]
     FoundCorners* corners = nullptr;  // receives the corners found
     bool estimated = false;  // the path is an estimate: a corner at another corner keeps the edge of its last contact
+    NeighbourList* neighbours = nullptr;  // kept from search to search; it does not change the result
 };
 
 /// Finds the contacts within the margin, sorted by block pair, corner and edge, with the history from `before`. If two

@@ -255,7 +255,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         FoundCorners corners;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
                                             {2.0 * margin + widestOpening(state), false, false, &path,
-                                             &trial.state.energy.released, &corners, paths == 0});
+                                             &trial.state.energy.released, &corners, paths == 0, &engine_.neighbours});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         problem.startForce = negligibleForces(model, at);

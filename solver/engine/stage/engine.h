@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
+#include "solver/engine/contact/neighbour_list.h"
 #include "solver/engine/model/loads.h"
 #include "solver/engine/model/state.h"
 #include "solver/engine/step/step_problem.h"
@@ -22,6 +23,7 @@ namespace keyblock {
 struct Engine {
     const Model& model;
     StepSolver solver;
+    NeighbourList neighbours;  // of the contact search
     Health health;  // solver diagnostics of the run
     StepHealth newest;  // solver diagnostics of the latest step
     TakenStep taken;  // latest accepted dynamic step, for output only

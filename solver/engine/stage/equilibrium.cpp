@@ -173,7 +173,7 @@ private:
     void searchContacts(const Eigen::VectorXd* path) {
         state_.contacts = findContacts(
             model_, state_.blocks, state_.contacts,
-            {searchMargin(), false, true, path, &state_.energy.released, &corners_, paths_ == 0});
+            {searchMargin(), false, true, path, &state_.energy.released, &corners_, paths_ == 0, &engine_.neighbours});
         meetDilated(state_, state_.contacts);
     }
 
