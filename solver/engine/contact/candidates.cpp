@@ -288,7 +288,7 @@ Box CandidateSearch::reachOf(int a, int b) const {
 
 void CandidateSearch::addNearEdges(int a, int corner, int b, std::vector<NearEdge>& near) const {
     const double moves = movesOf(*this, a, corner, b).norm();
-    if (!isNearBox(a, corner, b, moves > margin ? moves : 0.0)) return;
+    if (!isNearBox(a, corner, b, std::max(0.0, moves - margin))) return;
     for (int turn = 0; turn < static_cast<int>(outlines[b].runs.size()); ++turn) addIfNear(a, corner, b, turn, near);
 }
 
@@ -299,9 +299,10 @@ void CandidateSearch::addNearEdges(int a, int corner, int b, std::span<const int
 }
 
 /// False if the corner is so far outside the box of block B that it is near none of its edges.
-bool CandidateSearch::isNearBox(int a, int corner, int b, double moves) const {
+/// \param beyond the path's length beyond the margin [m].
+bool CandidateSearch::isNearBox(int a, int corner, int b, double beyond) const {
     const Point& p = blocks[a].corners[corner];
-    return meets(grown(outlines[b].box, 2.0 * (slack(a, b) + margin) + moves), {p, p});
+    return meets(grown(outlines[b].box, 2.0 * (slack(a, b) + margin) + beyond), {p, p});
 }
 
 void CandidateSearch::addIfNear(int a, int corner, int b, int turn, std::vector<NearEdge>& near) const {

@@ -107,7 +107,7 @@ struct CandidateSearch {
     double addEntrances(int a, int corner, int b, std::span<const NearEdge> near, std::vector<Candidate>& found) const;
 
 private:
-    bool isNearBox(int a, int corner, int b, double moves) const;
+    bool isNearBox(int a, int corner, int b, double beyond) const;
     void addIfNear(int a, int corner, int b, int turn, std::vector<NearEdge>& near) const;
 };
 

@@ -5,17 +5,18 @@
 #include "geometry/grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace keyblock {
 namespace {
 
-// What a list has beyond the margin of the search: at most this share of the smallest block's size, and up to that at
-// least this share of the margin
-constexpr double leastSpare = 0.5, mostSpare = 0.1;
+constexpr double leastSpare = 0.5;  // of the margin of the search: a list has so much beyond it at least
+constexpr double mostSpare = 0.1;  // of the smallest block's size: and so much at most, even if the margin is wide
 constexpr double lifetime = 32.0;  // number of searches for which a list should last
-constexpr double worthwhile = 4.0;  // number of searches for which it has to last
-constexpr int pauseOfLists = 32;  // number of searches after a list that would not
+constexpr double worthwhile = 4.0;  // number of searches for which a list has to last
+constexpr int pauseOfLists = 32;  // number of searches without a list where a new one would not last so long
 constexpr double tooWide = 3.0;  // times the margin needed: a list with more has too many edges
 
 Box searched(const Model& model, const Outline& outline, double margin) {
@@ -27,12 +28,15 @@ struct Vicinity {
     double away = 0.0, deep = 0.0, past = 0.0;  // in front of it, behind it, past its ends [m]
     double spare = 0.0;  // distance by which points may move relative to each other while the list is used [m]
 
-    /// Whether a point may come near the edge. A turn of the edge moves its line more, the farther it is from the edge.
+    /// Whether a point may come near the edge. Each end of the edge moves by half of `spare` at most, so that its unit
+    /// vectors change by 2·`spare`/length at most, and the point's place along and across it by that times its distance.
     bool has(const Edge& edge, const Point& p) const {
         const Point from = p - edge.start;
-        const double more = spare + 2.0 * spare / edge.length * from.norm();
+        const double turned = 2.0 * spare / edge.length * from.norm();
         const double gap = edge.outward.dot(from), along = edge.along.dot(from);
-        return gap <= away + more && gap >= -deep - more && along >= -past - more && along <= edge.length + past + more;
+        const bool isAway = gap > away + turned || gap < -deep - spare - turned;
+        const bool isPast = along < -past - turned || along > edge.length + past + spare + turned;
+        return !isAway && !isPast;
     }
 };
 
@@ -53,44 +57,47 @@ bool areWithin(const Model& model, const Outline& a, const Outline& b, double ma
 
 bool NeighbourList::prepare(const Model& model, const std::vector<BlockMotion>& blocks,
                             const std::vector<Outline>& outlines, double margin, double farthest) {
-    if (farthest > margin) return false;  // a corner may come near edges beyond the margin
+    ++searches_;
+    if (!(farthest <= margin)) return false;
     if (pause_ > 0) {
         --pause_;
         return false;
     }
-    const double moved = margin_ > 0.0 ? movedSince(blocks) : 0.0, most = mostSpare * model.smallest;
-    if (!isFor(margin, 2.0 * (moved + model.tolerance), most)) {
-        const double spare = spareFor(margin, moved, most);
-        if (spare * searches_ < 2.0 * worthwhile * moved) {
-            pause_ = pauseOfLists;
-            margin_ = 0.0;
-            return false;
-        }
-        make(model, blocks, outlines, margin, spare);
+    const double moved = margin_ > 0.0 ? movedSince(blocks) : 0.0, largestSpare = mostSpare * model.smallest;
+    if (covers(margin, 2.0 * (moved + model.tolerance), largestSpare)) return true;
+    const double spare = spareFor(margin, moved, largestSpare);
+    if (spare * searches_ < 2.0 * worthwhile * moved) {
+        pause_ = pauseOfLists;
+        margin_ = 0.0;
+        return false;
     }
-    ++searches_;
+    make(model, blocks, outlines, margin, spare);
     return true;
 }
 
 /// True if the list has all that is within `margin` after corners have moved by up to `apart` relative to each other
 /// [m], and not far more.
-bool NeighbourList::isFor(double margin, double apart, double most) const {
-    return margin_ > 0.0 && apart <= spare_ && margin + apart <= margin_ && margin_ <= tooWide * margin + most;
+bool NeighbourList::covers(double margin, double apart, double largestSpare) const {
+    return margin_ > 0.0 && apart <= spare_ && margin + apart <= margin_ && margin_ <= tooWide * margin + largestSpare;
 }
 
-/// Largest displacement of a corner since the list was made [m].
+/// Largest displacement of a corner since the list was made [m]; infinite if one is not a number.
 double NeighbourList::movedSince(const std::vector<BlockMotion>& blocks) const {
+    assert(places_.size() == blocks.size());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (std::size_t i = 0; i < blocks.size(); ++i)
-        for (std::size_t k = 0; k < places_[i].size(); ++k)
-            most = std::max(most, (blocks[i].corners[k] - places_[i][k]).squaredNorm());
+        for (std::size_t k = 0; k < places_[i].size(); ++k) {
+            const double moved = (blocks[i].corners[k] - places_[i][k]).squaredNorm();
+            if (!(moved < infinity)) return infinity;
+            most = std::max(most, moved);
+        }
     return std::sqrt(most);
 }
 
 /// What a new list has beyond the margin of the search, from the displacement since the last one was made [m].
-double NeighbourList::spareFor(double margin, double moved, double most) const {
-    const double pace = moved / std::max(1, searches_);
-    return std::min(most, std::max(leastSpare * margin, 2.0 * lifetime * pace));
+double NeighbourList::spareFor(double margin, double moved, double largestSpare) const {
+    return std::min(largestSpare, std::max(leastSpare * margin, 2.0 * lifetime * moved / searches_));
 }
 
 void NeighbourList::make(const Model& model, const std::vector<BlockMotion>& blocks,
@@ -117,7 +124,7 @@ void NeighbourList::addCorners(const Model& model, const std::vector<BlockMotion
                                const std::vector<Outline>& outlines, int a, int b) {
     const double past = slackBetween(model, a, b) + margin_;
     const Vicinity vicinity{margin_, deepestNear(model.blocks[b]), past, spare_};
-    const Box box = grown(outlines[b].box, vicinity.deep + 2.0 * past + spare_);
+    const Box box = grown(outlines[b].box, 2.0 * past + spare_);
     for (const int corner : model.blocks[a].turns) {
         const Point& place = blocks[a].corners[corner];
         if (!meets(box, {place, place})) continue;

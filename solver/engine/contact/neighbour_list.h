@@ -37,18 +37,20 @@ public:
         std::ptrdiff_t begin = 0, end = 0;  // the corners, as a range of the list of corners
     };
 
-    /// Makes the list ready for a search with this margin [m], unless that does not pay because the blocks move far from
-    /// search to search.
+    /// Makes the list ready for a search with this margin [m].
     /// \param farthest upper bound of the displacement of a corner relative to a block near it, on the path of the search
     /// [m].
-    /// \return whether the list may be used.
+    /// \return whether the list may be used. It may not if `farthest` is more than the margin, because corners may then
+    /// come near other edges; nor does it pay if blocks move far from search to search.
+    /// \pre the model is the same in all calls.
     bool prepare(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Outline>& outlines,
                  double margin, double farthest);
 
     /// At least the pairs that `pairsWithin` finds with the margin of the search, in the same order.
     std::span<const Pair> pairs() const { return pairs_; }
 
-    /// At least the corners within the margin of an edge: those of block `a` first, each in the order of its turns.
+    /// At least the corners that `CandidateSearch::addNearEdges` finds near an edge: those of block `a` first, each in the
+    /// order of its turns.
     std::span<const Corner> corners(const Pair& pair) const {
         return {corners_.begin() + pair.begin, corners_.begin() + pair.end};
     }
@@ -58,10 +60,13 @@ public:
         return {turns_.begin() + corner.begin, turns_.begin() + corner.end};
     }
 
+    /// Number of searches since the list was made.
+    int searches() const { return searches_; }
+
 private:
-    bool isFor(double margin, double apart, double most) const;
+    bool covers(double margin, double apart, double largestSpare) const;
     double movedSince(const std::vector<BlockMotion>& blocks) const;
-    double spareFor(double margin, double moved, double most) const;
+    double spareFor(double margin, double moved, double largestSpare) const;
     void make(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Outline>& outlines,
               double margin, double spare);
     void addCorners(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Outline>& outlines,
@@ -73,7 +78,7 @@ private:
     std::vector<Pair> pairs_;
     std::vector<Corner> corners_;
     std::vector<int> turns_;
-    int searches_ = 0;  // number of searches since then
+    int searches_ = 0;
     int pause_ = 0;  // number of searches without a list before the next one is made
 };
 

@@ -274,7 +274,8 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     std::vector<Outline> outlines = outlinesOf(model, blocks);
     std::vector<Drift> drift = driftOf(blocks, asked.path);
     const NeighbourList* list = readyList(model, blocks, outlines, drift, asked);
-    const auto [pairs, listed] = nearPairs(model, blocks, outlines, list, asked.margin);
+    const auto searched = nearPairs(model, blocks, outlines, list, asked.margin);
+    const BlockPairs& pairs = searched.pairs;
     Standings standings(model, blocks, before);
     const std::size_t batches = (pairs.size() + pairsOfBatch - 1) / pairsOfBatch;
     std::vector<std::vector<Contact>> perBatch(batches);
@@ -288,7 +289,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
             const std::span<const Contact>& own = beforeOf[i];
             const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin, asked.estimated};
             found.clear();
-            if (list) findCandidates(search, *list, listed[i], found, corners[batch]);
+            if (list) findCandidates(search, *list, searched.listed[i], found, corners[batch]);
             else findCandidates(search, pairs[i].first, pairs[i].second, found, corners[batch]);
             dropDoubles(search, found);
             for (const Candidate& one : found)
