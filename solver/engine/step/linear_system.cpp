@@ -69,6 +69,7 @@ struct LinearSystem::Detail {
     cholmod_factor* factor = nullptr;
     cholmod_factor* updated = nullptr;  // simplicial factor as LDLᵀ after updates; null: `factor` is up to date
     SupernodalFactor factoring;
+    SupernodalSolve solving;
     SupernodalUpdate supernodes;
     cholmod_dense* workX = nullptr;  // kept between solutions, to avoid allocations in a loop of a million steps
     cholmod_dense* workY = nullptr;
@@ -76,7 +77,6 @@ struct LinearSystem::Detail {
     std::vector<double> residual;
     std::vector<double> correction;
     std::vector<double> ordered;  // right-hand side, then solution, in elimination order
-    std::vector<double> solved;  // workspace of a supernodal solution
     std::vector<int> order;  // unknowns in elimination order
     std::vector<int> place;  // position of each unknown in that order
 
@@ -206,6 +206,7 @@ void LinearSystem::Detail::analyseSupernodes() {
     cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
     requireMemory();
     factoring.analyse(*factor);
+    solving.analyse(*factor);
     supernodes.analyse(*factor);
 }
 
@@ -252,7 +253,7 @@ int LinearSystem::Detail::lostPivot() const {
 
 void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span<double> x) {
     for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = rhs[order[k]];
-    if (factor->is_super) solveSupernodes(*factor, ordered, solved);
+    if (factor->is_super) solving.apply(*factor, ordered);
     else solveColumns();
     for (std::size_t k = 0; k < order.size(); ++k) x[order[k]] = ordered[k];
 }

@@ -17,11 +17,6 @@ extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int
 namespace keyblock {
 namespace {
 
-/// Operations, as a sum of width · height², from which a factor is divided among threads: those of about 2,000 blocks.
-constexpr double worthThreads = 3e8;
-/// Share of the operations that a subtree for one thread may have at most and at least.
-constexpr double mostOfSubtree = 0.3, leastOfSubtree = 0.005;
-
 /// Factors the columns of a supernode on their own.
 /// \return the column of the supernode whose pivot is not positive, or −1.
 int factorAlone(const Supernode& node) {
@@ -34,66 +29,22 @@ int factorAlone(const Supernode& node) {
     return -1;
 }
 
-/// Operations of the supernodes, summed over the subtree below each.
-struct TreeWork {
-    std::vector<int> parent;  // per supernode; −1: root
-    std::vector<int> begin;  // per supernode: first supernode of its subtree
-    std::vector<double> work;  // of the subtree
-    bool isPostordered = true;  // each subtree is a sequence of supernodes
-};
-
-TreeWork treeWork(const cholmod_factor& factor, const std::vector<int>& supernodeOf) {
-    const auto count = static_cast<int>(factor.nsuper);
-    TreeWork tree{std::vector<int>(factor.nsuper, -1), {}, std::vector<double>(factor.nsuper, 0.0)};
-    std::vector<int> size(factor.nsuper, 1);
-    for (int s = 0; s < count; ++s) tree.begin.push_back(s);
-    for (int s = 0; s < count; ++s) {
-        const Supernode node = supernode(factor, static_cast<std::size_t>(s));
-        tree.work[s] += static_cast<double>(node.width) * node.height * node.height;
-        tree.isPostordered = tree.isPostordered && size[s] == s - tree.begin[s] + 1;
-        if (node.height == node.width) continue;
-        const int parent = tree.parent[s] = supernodeOf[node.rows[node.width]];
-        tree.work[parent] += tree.work[s];
-        tree.begin[parent] = std::min(tree.begin[parent], tree.begin[s]);
-        size[parent] += size[s];
-    }
-    return tree;
-}
-
 }  // namespace
 
 void SupernodalFactor::analyse(const cholmod_factor& factor) {
     reserveBlasMemory();
-    const auto* super = static_cast<const int*>(factor.super);
-    supernodeOf_.resize(factor.n);
-    for (std::size_t s = 0; s < factor.nsuper; ++s)
-        std::fill(supernodeOf_.begin() + super[s], supernodeOf_.begin() + super[s + 1], static_cast<int>(s));
+    supernodeOf_ = supernodeOfRows(factor);
     waiting_.resize(factor.nsuper);
     workspaces_.assign(1, {});
     prepare(workspaces_.front(), factor);
-    findSubtrees(factor);
+    subtrees_.clear();
+    for (const Subtree& subtree : subtreesForThreads(factor)) subtrees_.push_back({subtree, -1, {}});
 }
 
 void SupernodalFactor::prepare(Workspace& work, const cholmod_factor& factor) const {
     work.place.resize(factor.n);
     work.product.resize(factor.maxcsize);
     work.placeOfRow.resize(factor.n);
-}
-
-/// Lists the largest subtrees below a share of the work. What is left above them is done by one thread: for a wall of
-/// 20,000 blocks 40 % of the operations.
-void SupernodalFactor::findSubtrees(const cholmod_factor& factor) {
-    subtrees_.clear();
-    const TreeWork tree = treeWork(factor, supernodeOf_);
-    double whole = 0.0;
-    for (std::size_t s = 0; s < factor.nsuper; ++s)
-        if (tree.parent[s] < 0) whole += tree.work[s];
-    if (whole < worthThreads || !tree.isPostordered) return;
-    for (std::size_t s = 0; s < factor.nsuper; ++s) {
-        const bool isPart = tree.work[s] <= mostOfSubtree * whole && tree.work[s] >= leastOfSubtree * whole;
-        const bool within = tree.parent[s] >= 0 && tree.work[tree.parent[s]] <= mostOfSubtree * whole;
-        if (isPart && !within) subtrees_.push_back({tree.begin[s], static_cast<int>(s) + 1, -1, {}});
-    }
 }
 
 /// Each thread that factors needs a buffer of OpenBLAS, which would wait for it without end.
@@ -115,14 +66,14 @@ int SupernodalFactor::apply(const cholmod_sparse& matrix, cholmod_factor& factor
             factorSubtree(matrix, factor, subtrees_[i], work);
         });
     }
-    Subtree all{0, static_cast<int>(factor.nsuper), -1, {}};
+    Part all{{0, static_cast<int>(factor.nsuper)}, -1, {}};
     std::size_t next = 0;
-    for (int s = 0; s < all.end; ++s) {
-        if (parallel && next < subtrees_.size() && subtrees_[next].begin == s) {
-            const Subtree& done = subtrees_[next++];
+    for (int s = 0; s < all.range.end; ++s) {
+        if (parallel && next < subtrees_.size() && subtrees_[next].range.begin == s) {
+            const Part& done = subtrees_[next++];
             if (done.lost >= 0) return done.lost;
             joinLists(done);
-            s = done.end - 1;
+            s = done.range.end - 1;
             continue;
         }
         if (const int lost = factorOne(matrix, factor, s, workspaces_.front(), all); lost >= 0) return lost;
@@ -130,16 +81,17 @@ int SupernodalFactor::apply(const cholmod_sparse& matrix, cholmod_factor& factor
     return -1;
 }
 
-void SupernodalFactor::factorSubtree(const cholmod_sparse& matrix, cholmod_factor& factor, Subtree& part,
+void SupernodalFactor::factorSubtree(const cholmod_sparse& matrix, cholmod_factor& factor, Part& part,
                                      Workspace& work) {
     part.outside.clear();
     part.lost = -1;
-    for (int s = part.begin; s < part.end && part.lost < 0; ++s) part.lost = factorOne(matrix, factor, s, work, part);
+    for (int s = part.range.begin; s < part.range.end && part.lost < 0; ++s)
+        part.lost = factorOne(matrix, factor, s, work, part);
 }
 
 /// \return the column whose pivot is not positive, or −1.
 int SupernodalFactor::factorOne(const cholmod_sparse& matrix, cholmod_factor& factor, int s, Workspace& work,
-                                Subtree& part) {
+                                Part& part) {
     const Supernode node = supernode(factor, static_cast<std::size_t>(s));
     for (int i = 0; i < node.height; ++i) work.place[node.rows[i]] = i;
     take(matrix, node, work);
@@ -150,7 +102,7 @@ int SupernodalFactor::factorOne(const cholmod_sparse& matrix, cholmod_factor& fa
 }
 
 /// Puts the lists of a subtree before those of the supernodes that were factored earlier, as if it had been factored now.
-void SupernodalFactor::joinLists(const Subtree& part) {
+void SupernodalFactor::joinLists(const Part& part) {
     for (const auto& [target, head] : part.outside) {
         int last = head;
         while (waiting_[last].next >= 0) last = waiting_[last].next;
@@ -173,7 +125,7 @@ void SupernodalFactor::take(const cholmod_sparse& matrix, const Supernode& node,
 
 /// Subtracts the updates of all waiting supernodes. The one that was added to the list last is subtracted first.
 void SupernodalFactor::subtractAll(const cholmod_factor& factor, int s, const Supernode& node, Workspace& work,
-                                   Subtree& part) {
+                                   Part& part) {
     for (int d = first_[s]; d >= 0;) {
         const Supernode from = supernode(factor, static_cast<std::size_t>(d));
         const int done = subtract(from, waiting_[d].done, node, work);
@@ -205,10 +157,10 @@ int SupernodalFactor::subtract(const Supernode& from, int done, const Supernode&
 }
 
 /// Puts a supernode at the head of the list for the supernode that contains its first unused row.
-void SupernodalFactor::wait(int s, const Supernode& node, int done, Subtree& part) {
+void SupernodalFactor::wait(int s, const Supernode& node, int done, Part& part) {
     const int target = supernodeOf_[node.rows[done]];
     int* first = &first_[target];
-    if (target >= part.end) {
+    if (target >= part.range.end) {
         auto list = std::find_if(part.outside.begin(), part.outside.end(),
                                  [&](const auto& l) { return l.first == target; });
         if (list == part.outside.end()) list = part.outside.insert(list, {target, -1});

@@ -13,6 +13,7 @@
 // every sum has the same order and the same bits on any number of threads.
 #pragma once
 
+#include "solver/engine/step/elimination_tree.h"
 #include "solver/engine/step/supernode.h"
 
 #include <utility>
@@ -46,27 +47,26 @@ private:
     };
 
     /// Supernodes that are factored in turn. Of their updates of later ones it keeps the heads of the lists.
-    struct Subtree {
-        int begin = 0, end = 0;
+    struct Part {
+        Subtree range;
         int lost = -1;  // first column whose pivot is not positive; −1: none
         std::vector<std::pair<int, int>> outside;  // supernode beyond the end, and the head of the list for it
     };
 
-    void findSubtrees(const cholmod_factor& factor);
     bool mayUseThreads() const;
     void prepare(Workspace& work, const cholmod_factor& factor) const;
-    int factorOne(const cholmod_sparse& matrix, cholmod_factor& factor, int s, Workspace& work, Subtree& part);
-    void factorSubtree(const cholmod_sparse& matrix, cholmod_factor& factor, Subtree& part, Workspace& work);
-    void joinLists(const Subtree& part);
+    int factorOne(const cholmod_sparse& matrix, cholmod_factor& factor, int s, Workspace& work, Part& part);
+    void factorSubtree(const cholmod_sparse& matrix, cholmod_factor& factor, Part& part, Workspace& work);
+    void joinLists(const Part& part);
     void take(const cholmod_sparse& matrix, const Supernode& node, const Workspace& work) const;
-    void subtractAll(const cholmod_factor& factor, int s, const Supernode& node, Workspace& work, Subtree& part);
+    void subtractAll(const cholmod_factor& factor, int s, const Supernode& node, Workspace& work, Part& part);
     int subtract(const Supernode& from, int done, const Supernode& node, Workspace& work) const;
-    void wait(int s, const Supernode& node, int done, Subtree& part);
+    void wait(int s, const Supernode& node, int done, Part& part);
 
     std::vector<int> supernodeOf_;  // per row
     std::vector<int> first_;  // per supernode: head of the list of supernodes waiting to update it; −1: none
     std::vector<Waiting> waiting_;  // per supernode
-    std::vector<Subtree> subtrees_;  // those that are worth a thread, in order
+    std::vector<Part> subtrees_;  // those that are worth a thread, in order
     std::vector<Workspace> workspaces_;  // per thread
 };
 

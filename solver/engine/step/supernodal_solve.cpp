@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/supernodal_solve.h"
 
-#include "solver/engine/step/supernode.h"
+#include "solver/engine/step/parallel.h"
+
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -144,28 +146,91 @@ void backward(const Supernode& node, double* t) {
     }
 }
 
+/// Solves with the columns of a supernode. `outside` takes the contributions to the rows from `end` on, which `place`
+/// numbers.
+void forwardOne(const Supernode& node, std::span<double> x, int end, const int* place, double* outside, double* t) {
+    double* own = &x[node.first];
+    std::copy_n(own, node.width, t);
+    std::fill(t + node.width, t + node.height, 0.0);
+    forward(node, t);
+    std::copy_n(t, node.width, own);
+    int i = node.width;
+    for (; i < node.height && node.rows[i] < end; ++i) x[node.rows[i]] += t[i];
+    for (; i < node.height; ++i) outside[place[node.rows[i]]] += t[i];
+}
+
+void backwardOne(const Supernode& node, std::span<double> x, double* t) {
+    for (int i = 0; i < node.height; ++i) t[i] = x[node.rows[i]];
+    backward(node, t);
+    std::copy_n(t, node.width, &x[node.first]);
+}
+
 }  // namespace
 
-void solveSupernodes(const cholmod_factor& factor, std::span<double> x, std::vector<double>& work) {
+void SupernodalSolve::analyse(const cholmod_factor& factor) {
+    parts_.clear();
+    for (const Subtree& subtree : subtreesForThreads(factor)) parts_.push_back({subtree, {}});
+    if (parts_.size() == 1) parts_.clear();
+    top_.clear();
+    auto part = parts_.begin();
+    for (int s = 0; s < static_cast<int>(factor.nsuper); ++s) {
+        if (part != parts_.end() && s == part->range.begin) s = part++->range.end - 1;
+        else top_.push_back(s);
+    }
+    workspaces_.assign(1, {});
+    workspaces_.front().rows.resize(factor.n);
+}
+
+/// Rows outside a subtree to which its supernodes contribute.
+std::span<const int> SupernodalSolve::rowsOutside(const cholmod_factor& factor, const Part& part) const {
+    const Supernode root = supernode(factor, static_cast<std::size_t>(part.range.end - 1));
+    return {root.rows + root.width, root.rows + root.height};
+}
+
+void SupernodalSolve::apply(const cholmod_factor& factor, std::span<double> x) {
     assert(factor.is_super);
-    work.resize(factor.n);
-    double* t = work.data();
-    for (std::size_t s = 0; s < factor.nsuper; ++s) {
-        const Supernode node = supernode(factor, s);
-        double* own = &x[node.rows[0]];
-        std::copy_n(own, node.width, t);
-        std::fill(t + node.width, t + node.height, 0.0);
-        if (s + 1 < factor.nsuper) fetch(supernode(factor, s + 1), 0);
-        forward(node, t);
-        std::copy_n(t, node.width, own);
-        for (int i = node.width; i < node.height; ++i) x[node.rows[i]] += t[i];
+    forEachPart([&](Part& part, Workspace& work) { forwardIn(factor, part, x, work); });
+    for (const Part& part : parts_) {
+        const std::span<const int> rows = rowsOutside(factor, part);
+        for (std::size_t i = 0; i < rows.size(); ++i) x[rows[i]] += part.outside[i];
     }
-    for (std::size_t s = factor.nsuper; s-- > 0;) {
-        const Supernode node = supernode(factor, s);
-        for (int i = 0; i < node.height; ++i) t[i] = x[node.rows[i]];
-        backward(node, t);
-        std::copy_n(t, node.width, &x[node.rows[0]]);
+    double* t = workspaces_.front().rows.data();
+    const auto nodeOf = [&](std::size_t k) { return supernode(factor, static_cast<std::size_t>(top_[k])); };
+    for (std::size_t k = 0; k < top_.size(); ++k) {
+        if (k + 1 < top_.size()) fetch(nodeOf(k + 1), 0);
+        forwardOne(nodeOf(k), x, static_cast<int>(factor.n), nullptr, nullptr, t);
     }
+    for (std::size_t k = top_.size(); k-- > 0;) backwardOne(nodeOf(k), x, t);
+    forEachPart([&](const Part& part, Workspace& work) { backwardIn(factor, part, x, work); });
+}
+
+void SupernodalSolve::forEachPart(const auto& body) {
+    if (parts_.empty()) return;
+    workspaces_.resize(std::max<std::size_t>(workspaces_.size(), tbb::this_task_arena::max_concurrency()));
+    inParallel(parts_.size(), 1, [&](std::size_t i) {
+        Workspace& work = workspaces_[tbb::this_task_arena::current_thread_index()];
+        work.rows.resize(workspaces_.front().rows.size());
+        body(parts_[i], work);
+    });
+}
+
+void SupernodalSolve::forwardIn(const cholmod_factor& factor, Part& part, std::span<double> x, Workspace& work) const {
+    const std::span<const int> rows = rowsOutside(factor, part);
+    part.outside.assign(rows.size(), 0.0);
+    work.place.resize(factor.n);
+    for (std::size_t i = 0; i < rows.size(); ++i) work.place[rows[i]] = static_cast<int>(i);
+    const Supernode root = supernode(factor, static_cast<std::size_t>(part.range.end - 1));
+    for (int s = part.range.begin; s < part.range.end; ++s) {
+        if (s + 1 < part.range.end) fetch(supernode(factor, static_cast<std::size_t>(s + 1)), 0);
+        forwardOne(supernode(factor, static_cast<std::size_t>(s)), x, root.first + root.width, work.place.data(),
+                   part.outside.data(), work.rows.data());
+    }
+}
+
+void SupernodalSolve::backwardIn(const cholmod_factor& factor, const Part& part, std::span<double> x,
+                                 Workspace& work) const {
+    for (int s = part.range.end; s-- > part.range.begin;)
+        backwardOne(supernode(factor, static_cast<std::size_t>(s)), x, work.rows.data());
 }
 
 }  // namespace keyblock
