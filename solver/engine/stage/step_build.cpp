@@ -45,6 +45,7 @@ void addBlocks(const Model& model, const State& state, const SchemeFactors& fact
         Matrix6 stiffness = factors.inertia.d * block.massMatrix;
         stiffness.bottomRightCorner<3, 3>() += factors.elastic * volume * block.elasticity;
         problem.blockStiffness.push_back(stiffness);
+        problem.places.push_back(motion.centroid);
         if (block.fixed || block.asleep || motion.absent)
             for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
         if (motion.absent) continue;
@@ -64,6 +65,7 @@ void addNodes(const Model& model, const State& state, const SchemeFactors& facto
             const Eigen::Vector3d mass = nodeMass(bolt, n);
             const Eigen::Index at = problem.first(problem.blocks + bolt.firstNode + static_cast<int>(n));
             problem.nodeStiffness.push_back(factors.inertia.d * mass);
+            problem.places.push_back(motion.nodes[n].x);
             const Eigen::Vector3d momentum = -factors.inertia.v * mass.cwiseProduct(motion.nodes[n].velocity);
             problem.load.segment<3>(at) += momentum;
             problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;

@@ -48,6 +48,9 @@ constexpr double rankShare = 0.6;
 constexpr std::size_t mergedColumns[] = {12, 24, 48};
 constexpr double mergedZeros[] = {0.3, 0.1, 0.05};
 
+/// Operations with an order by groups, over those with an order of minimum degree, below which it is used.
+constexpr double groupsPay = 0.9;
+
 /// Operations per entry of a factor from which supernodes are faster than single columns. This is less than CHOLMOD's
 /// default of 40, because the six columns of a block have the same pattern. Chains of bolt nodes need fewer operations.
 constexpr double supernodesPay = 20.0;
@@ -126,6 +129,9 @@ struct LinearSystem::Detail {
     /// Analyses the pattern, in the order in which it is stored or in an order found by AMD.
     void analyseBy(int ordering);
 
+    /// Analyses the pattern in an order by groups, and keeps the present analysis unless it saves enough.
+    void analyseBy(std::span<const int> groups);
+
     /// Prepares supernodal factorisations and updates, and allocates the values of the factor.
     void analyseSupernodes();
 
@@ -200,6 +206,19 @@ void LinearSystem::Detail::analyseBy(int ordering) {
     cholmod_free_factor(&factor, &common);
     factor = cholmod_analyze(matrix, &common);
     requireMemory();
+}
+
+void LinearSystem::Detail::analyseBy(std::span<const int> groups) {
+    const double operations = common.fl;
+    std::vector<int> group(groups.begin(), groups.end()), found(groups.size());
+    cholmod_camd(matrix, nullptr, 0, group.data(), found.data(), &common);
+    requireMemory();
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    cholmod_factor* byGroups = cholmod_analyze_p(matrix, found.data(), nullptr, 0, &common);
+    requireMemory();
+    if (common.fl < groupsPay * operations) std::swap(factor, byGroups);
+    cholmod_free_factor(&byGroups, &common);
 }
 
 void LinearSystem::Detail::analyseSupernodes() {
@@ -328,7 +347,7 @@ LinearSystem::~LinearSystem() = default;
 LinearSystem::LinearSystem(LinearSystem&&) noexcept = default;
 LinearSystem& LinearSystem::operator=(LinearSystem&&) noexcept = default;
 
-void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) {
+void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries, std::span<const int> groups) {
     Detail& d = *detail_;
     useOneThread();
     d.release();
@@ -336,6 +355,7 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     std::iota(d.place.begin(), d.place.end(), 0);
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_AMD);
+    if (!groups.empty()) d.analyseBy(groups);
     d.takeOrder();
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_NATURAL);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/step_matrix.h"
 
+#include "solver/engine/step/nested_dissection.h"
 #include "solver/engine/step/phase.h"
 #include "solver/engine/step/trial.h"
 
@@ -13,6 +14,7 @@ namespace keyblock {
 namespace {
 
 constexpr double sameBody = 1e-3;  // relative change of a body's stiffness up to which a factor is kept
+constexpr std::size_t dissectedFrom = 2000;  // number of bodies from which nested dissection is tried
 constexpr double mostIdle = 0.1;  // fraction of the equations that may belong to nodes of lost or removed bolts
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
@@ -47,6 +49,22 @@ void addProduct(Matrix6& sum, double weight, const double* left, bool leftIsBloc
 }
 
 }  // namespace
+
+std::vector<int> eliminationGroups(const StepProblem& problem) {
+    if (problem.places.size() < dissectedFrom) return {};
+    const auto isFree = [&](int body) {
+        const auto first = problem.known.begin() + problem.first(body);
+        return std::any_of(first, first + problem.width(body), [](char known) { return known == 0; });
+    };
+    std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
+    std::erase_if(pairs, [&](const auto& pair) { return !isFree(pair.first) || !isFree(pair.second); });
+    const std::vector<int> ofBody = nestedDissection(problem.places, pairs);
+    std::vector<int> groups;
+    for (int body = 0; body < problem.blocks + problem.nodes; ++body)
+        for (int i = problem.first(body); i < problem.first(body) + problem.width(body); ++i)
+            if (!problem.known[i]) groups.push_back(ofBody[body]);
+    return groups;
+}
 
 int StepMatrix::pairOf(int a, int b) const {
     const auto [second, first] = std::minmax(a, b);
@@ -143,7 +161,7 @@ void StepMatrix::findSlots(const StepProblem& problem) {
     std::vector<std::pair<int, int>> entries;
     for (const auto& pair : pairs_)
         eachEntry(pair, [&](int, int row, int col) { entries.emplace_back(row, col); });
-    system_.analyse(static_cast<int>(unknownOf_.size()), entries);
+    system_.analyse(static_cast<int>(unknownOf_.size()), entries, eliminationGroups(problem));
     slots_.assign(pairs_.size(), {});
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
         slots_[p].fill(-1);

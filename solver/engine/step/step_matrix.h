@@ -23,6 +23,10 @@
 
 namespace keyblock {
 
+/// For the order of elimination, a group for each unknown that is not prescribed, by nested dissection of the bodies;
+/// empty for fewer than 2,000 bodies, where it would save nothing.
+std::vector<int> eliminationGroups(const StepProblem& problem);
+
 class StepMatrix {
 public:
     /// Begins a step. The pattern, ordering and factor of the previous step are kept if they are still valid.

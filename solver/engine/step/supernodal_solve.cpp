@@ -219,18 +219,19 @@ void SupernodalSolve::forwardIn(const cholmod_factor& factor, Part& part, std::s
     part.outside.assign(rows.size(), 0.0);
     work.place.resize(factor.n);
     for (std::size_t i = 0; i < rows.size(); ++i) work.place[rows[i]] = static_cast<int>(i);
-    const Supernode root = supernode(factor, static_cast<std::size_t>(part.range.end - 1));
-    for (int s = part.range.begin; s < part.range.end; ++s) {
-        if (s + 1 < part.range.end) fetch(supernode(factor, static_cast<std::size_t>(s + 1)), 0);
-        forwardOne(supernode(factor, static_cast<std::size_t>(s)), x, root.first + root.width, work.place.data(),
-                   part.outside.data(), work.rows.data());
+    const std::size_t begin = part.range.begin, end = part.range.end;
+    const Supernode root = supernode(factor, end - 1);
+    for (std::size_t s = begin; s < end; ++s) {
+        if (s + 1 < end) fetch(supernode(factor, s + 1), 0);
+        forwardOne(supernode(factor, s), x, root.first + root.width, work.place.data(), part.outside.data(),
+                   work.rows.data());
     }
 }
 
 void SupernodalSolve::backwardIn(const cholmod_factor& factor, const Part& part, std::span<double> x,
                                  Workspace& work) const {
-    for (int s = part.range.end; s-- > part.range.begin;)
-        backwardOne(supernode(factor, static_cast<std::size_t>(s)), x, work.rows.data());
+    const std::size_t begin = part.range.begin, end = part.range.end;
+    for (std::size_t s = end; s-- > begin;) backwardOne(supernode(factor, s), x, work.rows.data());
 }
 
 }  // namespace keyblock

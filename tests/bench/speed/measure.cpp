@@ -10,6 +10,7 @@
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/linear_system.h"
+#include "solver/engine/step/step_matrix.h"
 #include "solver/engine/step/link_rows.h"
 #include "solver/engine/step/phase.h"
 #include "solver/files/scene/scene_file.h"
@@ -60,7 +61,7 @@ public:
         for (int i = 0; i < problem.unknowns(); ++i) equations_.push_back(problem.known[i] ? -1 : count_++);
         std::vector<std::pair<int, int>> entries;
         eachEntry([&](int row, int column, double) { entries.emplace_back(row, column); });
-        system.analyse(count_, entries);
+        system.analyse(count_, entries, eliminationGroups(problem));
         eachEntry([&](int row, int column, double value) { system.values()[system.slot(row, column)] += value; });
     }
 

@@ -4,6 +4,7 @@
 // The sparse solver against dense algebra, small (simplicial) and large
 // (supernodal), and what it says of systems that hold nothing in place.
 #include "solver/engine/step/linear_system.h"
+#include "solver/engine/step/nested_dissection.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -28,13 +29,15 @@ struct Spring {
 /// Springs between unknowns, each unknown held to the ground by `ground`.
 class SpringNet {
 public:
-    SpringNet(int n, std::vector<Spring> springs) : n_(n), springs_(std::move(springs)) {
+    /// \param groups as in `LinearSystem::analyse`.
+    SpringNet(int n, std::vector<Spring> springs, const std::vector<int>& groups = {})
+        : n_(n), springs_(std::move(springs)) {
         Entries entries;
         for (const Spring& spring : springs_) {
             entries.emplace_back(spring.a, spring.b);
             entries.emplace_back(spring.b, spring.a);  // repeats, from both triangles
         }
-        system.analyse(n, entries);
+        system.analyse(n, entries, groups);
     }
 
     void assemble(const std::vector<double>& ground) {
@@ -317,22 +320,42 @@ struct Solved {
     bool operator==(const Solved&) const = default;
 };
 
-Solved solvedWith(std::size_t threads, const std::vector<double>& ground) {
+std::vector<Eigen::Vector2d> squarePlaces(int side) {
+    std::vector<Eigen::Vector2d> places(side * side);
+    for (int i = 0; i < side * side; ++i) places[i] = {i % side, i / side};
+    return places;
+}
+
+/// Nested dissection of the wide net.
+std::vector<int> wideGroups() {
+    Entries pairs;
+    for (const Spring& spring : denseNet(wideSide)) pairs.emplace_back(spring.a, spring.b);
+    return nestedDissection(squarePlaces(wideSide), pairs);
+}
+
+Solved solvedWith(std::size_t threads, const std::vector<double>& ground, const std::vector<int>& groups = {}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const int n = wideSide * wideSide;
-    SpringNet net(n, denseNet(wideSide));
+    SpringNet net(n, denseNet(wideSide), groups);
     net.assemble(ground);
     Solved solved{net.system.factor(), std::vector<double>(n)};
-    if (solved.loose < 0) net.system.solve(someLoad(n), solved.x);
+    if (solved.loose >= 0) return solved;
+    const std::vector<double> load = someLoad(n);
+    net.system.solve(load, solved.x);
+    std::vector<double> force(n);
+    net.system.multiply(solved.x, force);
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(force[i], load[i], 1e-11);
     return solved;
 }
 
 TEST(LinearSystem, GivesTheSameBitsOnAnyNumberOfThreads) {
     const std::vector<double> ground(wideSide * wideSide, 0.25);
-    const Solved alone = solvedWith(1, ground);
-    EXPECT_EQ(alone.loose, -1);
-    EXPECT_EQ(solvedWith(2, ground), alone);
-    EXPECT_EQ(solvedWith(4, ground), alone);
+    for (const std::vector<int>& groups : {std::vector<int>(), wideGroups()}) {
+        const Solved alone = solvedWith(1, ground, groups);
+        EXPECT_EQ(alone.loose, -1);
+        EXPECT_EQ(solvedWith(2, ground, groups), alone);
+        EXPECT_EQ(solvedWith(4, ground, groups), alone);
+    }
 }
 
 TEST(LinearSystem, NamesTheSameLooseUnknownOnAnyNumberOfThreads) {
@@ -341,6 +364,27 @@ TEST(LinearSystem, NamesTheSameLooseUnknownOnAnyNumberOfThreads) {
     const Solved alone = solvedWith(1, ground);
     EXPECT_GE(alone.loose, 0);
     EXPECT_EQ(solvedWith(4, ground), alone);
+}
+
+/// For a wide net of few neighbours the factor by nested dissection is smaller; groups that save no operations are not
+/// used.
+TEST(LinearSystem, UsesGroupsThatSaveOperations) {
+    constexpr int side = 200, n = side * side;
+    std::vector<Spring> springs;
+    Entries pairs;
+    for (int i = 0; i < n; ++i) {
+        for (const int other : {i + 1, i + side, i + side + 1})
+            if (other < n && other % side >= i % side) springs.push_back({i, other});
+    }
+    for (const Spring& spring : springs) pairs.emplace_back(spring.a, spring.b);
+    const auto entries = [&](const std::vector<int>& groups) {
+        return SpringNet(n, springs, groups).system.factorEntries();
+    };
+    const double byDegree = entries({});
+    EXPECT_LT(entries(nestedDissection(squarePlaces(side), pairs)), 0.95 * byDegree);
+    std::vector<int> rows(n);
+    for (int i = 0; i < n; ++i) rows[i] = i / side;
+    EXPECT_EQ(entries(rows), byDegree);
 }
 
 }  // namespace
