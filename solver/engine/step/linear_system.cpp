@@ -209,6 +209,7 @@ void LinearSystem::Detail::analyseBy(int ordering) {
 }
 
 void LinearSystem::Detail::analyseBy(std::span<const int> groups) {
+    assert(std::ranges::all_of(groups, [&](int g) { return g >= 0 && g < size(); }));
     const double operations = common.fl;
     std::vector<int> group(groups.begin(), groups.end()), found(groups.size());
     cholmod_camd(matrix, nullptr, 0, group.data(), found.data(), &common);

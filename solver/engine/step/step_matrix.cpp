@@ -52,17 +52,23 @@ void addProduct(Matrix6& sum, double weight, const double* left, bool leftIsBloc
 
 std::vector<int> eliminationGroups(const StepProblem& problem) {
     if (problem.places.size() < dissectedFrom) return {};
-    const auto isFree = [&](int body) {
+    std::vector<int> rowOf(problem.blocks + problem.nodes, -1);  // among the bodies that have an equation
+    std::vector<Eigen::Vector2d> places;
+    for (int body = 0; body < problem.blocks + problem.nodes; ++body) {
         const auto first = problem.known.begin() + problem.first(body);
-        return std::any_of(first, first + problem.width(body), [](char known) { return known == 0; });
-    };
-    std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
-    std::erase_if(pairs, [&](const auto& pair) { return !isFree(pair.first) || !isFree(pair.second); });
-    const std::vector<int> ofBody = nestedDissection(problem.places, pairs);
+        if (std::all_of(first, first + problem.width(body), [](char known) { return known != 0; })) continue;
+        rowOf[body] = static_cast<int>(places.size());
+        places.push_back(problem.places[body]);
+    }
+    if (places.size() < dissectedFrom) return {};
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& [a, b] : bodyPairs(problem))
+        if (rowOf[a] >= 0 && rowOf[b] >= 0) pairs.emplace_back(rowOf[a], rowOf[b]);
+    const std::vector<int> ofRow = nestedDissection(places, pairs);
     std::vector<int> groups;
     for (int body = 0; body < problem.blocks + problem.nodes; ++body)
         for (int i = problem.first(body); i < problem.first(body) + problem.width(body); ++i)
-            if (!problem.known[i]) groups.push_back(ofBody[body]);
+            if (!problem.known[i]) groups.push_back(ofRow[rowOf[body]]);
     return groups;
 }
 

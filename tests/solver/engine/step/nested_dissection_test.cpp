@@ -4,6 +4,7 @@
 // Groups of bodies for elimination: each border separates what it should.
 
 #include "solver/engine/step/nested_dissection.h"
+#include "solver/engine/step/step_matrix.h"
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,40 @@ TEST(NestedDissection, AcceptsAnyNet) {
     EXPECT_EQ(groups.size(), 500u);
     EXPECT_GE(std::ranges::min(groups), 0);
     EXPECT_LT(std::ranges::max(groups), 500);
+}
+
+/// A step of the wall in which the first `fixed` blocks are fixed and the next one may not move sideways.
+StepProblem stepOf(const Net& net, int fixed) {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(net.places.size());
+    problem.places = net.places;
+    problem.known.assign(problem.unknowns(), 0);
+    std::fill_n(problem.known.begin(), 6 * fixed + 1, 1);
+    for (const auto& [a, b] : net.pairs) {
+        if (a == b) continue;
+        Link link;
+        link.a = a, link.b = b;
+        problem.links.push_back(link);
+    }
+    return problem;
+}
+
+/// Each unknown that is not prescribed has the group of its block, numbered without the blocks that are fixed.
+TEST(EliminationGroups, LeaveOutWhatIsFixed) {
+    constexpr int fixed = 600;
+    const StepProblem problem = stepOf(wall(60, 50), fixed);
+    const std::vector<int> groups = eliminationGroups(problem);
+    const int free = problem.blocks - fixed;
+    ASSERT_EQ(static_cast<int>(groups.size()), 6 * free - 1);
+    std::vector<int> size(std::ranges::max(groups) + 1, 0);
+    for (const int group : groups) ++size[group];
+    EXPECT_GT(std::ranges::min(size), 0);
+    for (int i = 5; i < 6 * free - 1; ++i) EXPECT_EQ(groups[i], groups[5 + (i - 5) / 6 * 6]) << i;
+}
+
+TEST(EliminationGroups, AreNotMadeForFewBodies) {
+    EXPECT_TRUE(eliminationGroups(stepOf(wall(30, 30), 0)).empty());
+    EXPECT_TRUE(eliminationGroups(stepOf(wall(60, 50), 2990)).empty());
 }
 
 }  // namespace
