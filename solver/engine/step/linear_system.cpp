@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Large systems are solved with a supernodal factor, in the ordering and pattern found
-// by CHOLMOD, and small ones with CHOLMOD's simplicial LLᵀ. The choice depends on the
+// Large systems are solved with a supernodal factor, whose order (by minimum degree, or
+// within given groups) and pattern CHOLMOD finds, and small ones with CHOLMOD's
+// simplicial LLᵀ. The choice depends on the
 // operations counted by the analysis and never on measured time, so that a scene is
 // solved in the same way in every run. LLᵀ is used instead of LDLᵀ because it stops at
 // the first pivot that is not positive, which is how a loose block is found.
@@ -13,7 +14,7 @@
 // The threads of the libraries are deliberately not used here. Those of CHOLMOD would be
 // nested in those of the solver and make a thousand blocks five times slower; OpenBLAS
 // would split sums according to the number of cores. Large factors are divided by
-// `SupernodalFactor`.
+// `SupernodalFactor` and `SupernodalSolve`.
 #include "solver/engine/step/linear_system.h"
 
 #include "solver/engine/step/supernodal_factor.h"
@@ -129,8 +130,8 @@ struct LinearSystem::Detail {
     /// Analyses the pattern, in the order in which it is stored or in an order found by AMD.
     void analyseBy(int ordering);
 
-    /// Analyses the pattern in an order by groups, and keeps the present analysis unless it saves enough.
-    void analyseBy(std::span<const int> groups);
+    /// Analyses the pattern in an order by groups, and takes it instead of the present analysis if it saves enough.
+    void tryGroups(std::span<const int> groups);
 
     /// Prepares supernodal factorisations and updates, and allocates the values of the factor.
     void analyseSupernodes();
@@ -208,17 +209,19 @@ void LinearSystem::Detail::analyseBy(int ordering) {
     requireMemory();
 }
 
-void LinearSystem::Detail::analyseBy(std::span<const int> groups) {
+void LinearSystem::Detail::tryGroups(std::span<const int> groups) {
+    assert(static_cast<int>(groups.size()) == size());
     assert(std::ranges::all_of(groups, [&](int g) { return g >= 0 && g < size(); }));
     const double operations = common.fl;
     std::vector<int> group(groups.begin(), groups.end()), found(groups.size());
-    cholmod_camd(matrix, nullptr, 0, group.data(), found.data(), &common);
+    const bool isOrdered = cholmod_camd(matrix, nullptr, 0, group.data(), found.data(), &common) != 0;
     requireMemory();
+    if (!isOrdered) return;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
     cholmod_factor* byGroups = cholmod_analyze_p(matrix, found.data(), nullptr, 0, &common);
     requireMemory();
-    if (common.fl < groupsPay * operations) std::swap(factor, byGroups);
+    if (byGroups && common.fl < groupsPay * operations) std::swap(factor, byGroups);
     cholmod_free_factor(&byGroups, &common);
 }
 
@@ -356,7 +359,7 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries, 
     std::iota(d.place.begin(), d.place.end(), 0);
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_AMD);
-    if (!groups.empty()) d.analyseBy(groups);
+    if (!groups.empty()) d.tryGroups(groups);
     d.takeOrder();
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_NATURAL);

@@ -48,11 +48,10 @@ private:
             border = std::move(across);
             part = std::move(other);
         } else {
-            halve(part, 0);
+            mark(part);
         }
         for (const int body : border) half_[body] = Half::None;
         Bodies first = in(part, Half::First), second = in(part, Half::Second);
-        for (const int body : part) half_[body] = Half::None;
         divide(std::move(first));
         divide(std::move(second));
         number(border);
@@ -62,6 +61,11 @@ private:
     void halve(Bodies& part, int axis) {
         const auto key = [&](int body) { return std::tuple(places_[body][axis], places_[body][1 - axis], body); };
         std::ranges::sort(part, {}, key);
+        mark(part);
+    }
+
+    /// Marks the halves of a sorted part. Other parts may keep their marks, because no body is connected with them.
+    void mark(const Bodies& part) {
         for (std::size_t i = 0; i < part.size(); ++i) half_[part[i]] = 2 * i < part.size() ? Half::First : Half::Second;
     }
 
@@ -91,9 +95,9 @@ private:
     }
 
     std::span<const Eigen::Vector2d> places_;
-    std::vector<std::size_t> first_;  // per body: its first neighbour; then the number of neighbours
+    std::vector<std::size_t> first_;  // per body: its first neighbour; at last the number of all
     Bodies neighbours_;
-    std::vector<Half> half_;  // per body; None if it is outside the part that is being divided
+    std::vector<Half> half_;  // per body; None on a border
     std::vector<int> groups_;
     int count_ = 0;
 };

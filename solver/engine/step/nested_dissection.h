@@ -4,8 +4,9 @@
 // Nested dissection (George 1973): the order in which bodies should be eliminated in a
 // large factorisation. A line divides the bodies into halves; those of one half that
 // are connected to the other are eliminated after both, and each half is divided again.
-// For ten thousand bodies and more the factor needs about half of the operations of an
-// order of minimum degree, and its subtrees are alike, so that threads share them well.
+// For 4,000 to 50,000 bodies in a wall the factor needs 0.45 to 1.0 of the operations of
+// an order of minimum degree, by the shape of the wall, and its subtrees are alike, so
+// that threads share them well.
 #pragma once
 
 #include <Eigen/Core>

@@ -14,7 +14,7 @@ namespace keyblock {
 namespace {
 
 constexpr double sameBody = 1e-3;  // relative change of a body's stiffness up to which a factor is kept
-constexpr std::size_t dissectedFrom = 2000;  // number of bodies from which nested dissection is tried
+constexpr std::size_t dissectedFrom = 4000;  // number of bodies with equations from which nested dissection is tried
 constexpr double mostIdle = 0.1;  // fraction of the equations that may belong to nodes of lost or removed bolts
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {

@@ -23,8 +23,8 @@
 
 namespace keyblock {
 
-/// For the order of elimination, a group for each unknown that is not prescribed, by nested dissection of the bodies;
-/// empty for fewer than 2,000 bodies, where it would save nothing.
+/// For the order of elimination, a group for each unknown that is not prescribed, by nested dissection of the bodies that
+/// have one; empty if these are fewer than 4,000 or `StepProblem::places` is.
 std::vector<int> eliminationGroups(const StepProblem& problem);
 
 class StepMatrix {

@@ -66,7 +66,8 @@ struct StepProblem {
     std::vector<double> ownForce;  // per body: magnitude of its loads plus a small minimum [N]
     // per block, in a dynamic step: unbalanced force at zero displacement that needs no solution [N]; empty: round-off
     std::vector<double> startForce;
-    std::vector<Eigen::Vector2d> places;  // per body: its position [m], for the order of elimination; empty: unknown
+    // per body: its position [m], for the order of elimination; empty in the step of a part (`localStep`)
+    std::vector<Eigen::Vector2d> places;
     std::vector<double> mayLeave;  // per body: allowed unbalanced force [N]; empty: relative tolerance only
 
     int unknowns() const { return 6 * blocks + 3 * nodes; }

@@ -83,6 +83,19 @@ TEST(NestedDissection, LeavesAreConnectedThroughBordersOnly) {
     for (int group = 0; group < count; ++group) EXPECT_LE(size[group], isBorder[group] ? 41 : 100);
 }
 
+/// A body that is connected to all bodies of the other half is the border alone.
+TEST(NestedDissection, TheBorderLiesInTheHalfWithFewerBodies) {
+    for (const int hub : {0, 299}) {
+        Net net;
+        for (int i = 0; i < 300; ++i) net.places.emplace_back(i, 0.0);
+        for (int i = 0; i < 300; ++i)
+            if ((i < 150) != (hub < 150)) net.pairs.emplace_back(hub, i);
+        const std::vector<int> groups = nestedDissection(net.places, net.pairs);
+        EXPECT_EQ(groups[hub], std::ranges::max(groups));
+        EXPECT_EQ(std::ranges::count(groups, groups[hub]), 1);
+    }
+}
+
 TEST(NestedDissection, AcceptsAnyNet) {
     EXPECT_TRUE(nestedDissection({}, {}).empty());
     const std::vector<Eigen::Vector2d> same(500, Eigen::Vector2d(1.0, 1.0));
@@ -114,8 +127,8 @@ StepProblem stepOf(const Net& net, int fixed) {
 
 /// Each unknown that is not prescribed has the group of its block, numbered without the blocks that are fixed.
 TEST(EliminationGroups, LeaveOutWhatIsFixed) {
-    constexpr int fixed = 600;
-    const StepProblem problem = stepOf(wall(60, 50), fixed);
+    constexpr int fixed = 800;
+    const StepProblem problem = stepOf(wall(80, 70), fixed);
     const std::vector<int> groups = eliminationGroups(problem);
     const int free = problem.blocks - fixed;
     ASSERT_EQ(static_cast<int>(groups.size()), 6 * free - 1);
@@ -127,7 +140,23 @@ TEST(EliminationGroups, LeaveOutWhatIsFixed) {
 
 TEST(EliminationGroups, AreNotMadeForFewBodies) {
     EXPECT_TRUE(eliminationGroups(stepOf(wall(30, 30), 0)).empty());
-    EXPECT_TRUE(eliminationGroups(stepOf(wall(60, 50), 2990)).empty());
+    EXPECT_TRUE(eliminationGroups(stepOf(wall(80, 70), 5590)).empty());
+}
+
+/// With the positions of its bodies, the matrix of a large step has another order, and another factor, than without.
+TEST(EliminationGroups, OrderTheMatrixOfAStep) {
+    const auto entries = [](const StepProblem& problem) {
+        StepMatrix matrix;
+        matrix.begin(problem, LinkRows(problem));
+        return matrix.factorEntries();
+    };
+    StepProblem problem = stepOf(wall(100, 80), 100);
+    problem.blockStiffness.assign(problem.blocks, Matrix6::Identity());
+    problem.value = problem.load = Eigen::VectorXd::Zero(problem.unknowns());
+    problem.weight = Eigen::VectorXd::Ones(problem.unknowns());
+    const double grouped = entries(problem);
+    problem.places.clear();
+    EXPECT_NE(grouped, entries(problem));
 }
 
 }  // namespace
