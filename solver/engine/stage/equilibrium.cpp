@@ -46,7 +46,8 @@ constexpr double stillFalling = 0.1;  // of the previous residual: such a fast d
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
 constexpr double leftBeforeMotion = 0.03;  // of the residual allowed on bodies: what may remain if motion follows
 constexpr double solvedBeforeMotion = 0.01;  // the same for what the further pseudo-steps may leave
-constexpr int mostBeforeMotion = 5;  // maximum number of further pseudo-steps for that
+constexpr int mostBeforeMotion = 12;  // maximum number of further pseudo-steps for that
+constexpr int mostRetries = 3;  // times in succession that one of them is repeated with half the length
 constexpr int easyPasses = 2;  // iterations up to which this is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer move may enter through another edge
 // of the smaller block's size: a corner that enters no deeper than this through another edge than estimated is corrected
@@ -152,10 +153,10 @@ private:
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
         const bool within = report_.converged || (goodEnough && report_.residual <= tolerance_);
-        if (improves_ && !within) return Outcome::Repeat;  // the present state is balanced and will be accepted
+        if (improves_ && !within) return retryShorter();
         if (!report_.converged && !goodEnough) return isEstimated() ? dropEstimate() : shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
-        if (improves_ && (moves.overLimit > 1.0 || entersElsewhere(d, moves.largest))) return Outcome::Repeat;
+        if (improves_ && (moves.overLimit > 1.0 || entersElsewhere(d, moves.largest))) return retryShorter();
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
         if (!driven_ && settled_ && !jumped_ && isJump(problem, d)) {  // the path up to the jump is accepted first
@@ -284,6 +285,14 @@ private:
         return dt_ >= shortestPseudoStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
 
+    /// Repeats a pseudo-step that was to improve a balanced state with half the length. After too many attempts the state
+    /// is accepted as it is.
+    Outcome retryShorter() {
+        dt_ *= 0.5;
+        ++retries_;
+        return Outcome::Repeat;
+    }
+
     /// True if a corner enters through another edge than the search assumed.
     bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
         const double deep = isEstimated() ? deepEntrance : 0.0;
@@ -304,6 +313,7 @@ private:
         settled_ = report_.converged;
         ++taken_;
         if (std::exchange(improves_, false)) ++beforeMotion_;
+        retries_ = 0;
         moveBodies(model_, state_, d);
         moved_ += d;
         whole_ += d;
@@ -403,7 +413,7 @@ private:
     }
 
     bool balanced(StepProblem& problem, long step) {
-        const bool failed = std::exchange(improves_, false);  // the last attempt to improve this balanced state
+        improves_ = false;
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
@@ -418,7 +428,7 @@ private:
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         if (unrest_.beyond > 1.0) return false;
         if (residual_ <= wellBalanced) return true;
-        if (failed) return true;
+        if (retries_ > mostRetries) return true;
         improves_ = mayImprove() && unrest_.beyond > leftBeforeMotion;
         if (improves_) return false;
         const bool easy = dt_ < longest_ && report_.passes <= easyPasses;
@@ -563,7 +573,7 @@ private:
     int paths_ = 0;  // number of its repetitions
     int taken_ = 0;
     bool improves_ = false;  // the state is balanced, and the pseudo-step is to leave less before motion follows
-    int beforeMotion_ = 0;  // number of such pseudo-steps
+    int beforeMotion_ = 0, retries_ = 0;  // number of such pseudo-steps, and of failed attempts at the present one
     SolveReport report_;  // of the last step
     double lastLargest_ = 0.0;  // largest displacement in the last pseudo-step [m]
     double lastMove_ = std::numeric_limits<double>::max();  // the same, in the last one without locked friction [m]
