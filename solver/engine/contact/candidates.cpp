@@ -299,7 +299,7 @@ void CandidateSearch::addNearEdges(int a, int corner, int b, std::span<const int
 }
 
 /// False if the corner is so far outside the box of block B that it is near none of its edges.
-/// \param beyond the path's length beyond the margin [m].
+/// \param beyond the part of the path's length that exceeds the margin [m].
 bool CandidateSearch::isNearBox(int a, int corner, int b, double beyond) const {
     const Point& p = blocks[a].corners[corner];
     return meets(grown(outlines[b].box, 2.0 * (slack(a, b) + margin) + beyond), {p, p});

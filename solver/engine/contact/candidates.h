@@ -88,7 +88,7 @@ struct CandidateSearch {
     double margin;
     bool estimated = false;  // the path is an estimate: near a corner of block B, the edge of the last contact is kept
 
-    /// `slackBetween` for two blocks.
+    /// The slack between blocks A and B, as `slackBetween` [m].
     double slack(int a, int b) const { return slackBetween(model, a, b); }
 
     /// The box outside of which no corner of block A can be in contact with block B.

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Contact search: finds the corners that face edges of other blocks. Candidate pairs of
-// blocks come from a grid over their bounding boxes. History is matched by the pair of
-// corner and edge, or taken over from a contact at the same position.
+// blocks come from a grid over their bounding boxes, or from a neighbour list made with
+// it. History is matched by the pair of corner and edge, or taken over from a contact at
+// the same position.
 #pragma once
 
 #include "solver/engine/contact/neighbour_list.h"

@@ -176,7 +176,7 @@ TEST(NeighbourList, SearchesWithItFindTheSame) {
 }
 
 /// A list is used until blocks have moved by what it has beyond the margin, and holds everything near until then.
-TEST(NeighbourList, HoldsWhatIsNearUntilItIsMadeAnew) {
+TEST(NeighbourList, HoldsWhatIsNearUntilItIsReplaced) {
     constexpr double margin = 0.02, most = 2e-4;
     Random random;
     Rock rock(cells(random));
@@ -195,11 +195,11 @@ TEST(NeighbourList, HoldsWhatIsNearUntilItIsMadeAnew) {
 }
 
 /// With a margin of 20 mm a list has 10 mm more: enough until a corner has moved by 5 mm. A wider margin leaves less for
-/// moves, and a list with far more than the margin is made anew.
-TEST(NeighbourList, IsMadeAnewOnceACornerHasMovedByHalfOfItsSpare) {
+/// moves, and a list with far more than the margin is replaced.
+TEST(NeighbourList, IsReplacedOnceACornerHasMovedByHalfOfItsSpare) {
     Random random;
     const Rock rock(cells(random));
-    const auto isMadeAnew = [&](const Point& moved, double margin) {
+    const auto isReplaced = [&](const Point& moved, double margin) {
         NeighbourList list;
         for (int n = 0; n < 20; ++n) EXPECT_TRUE(rock.prepare(list, 0.02));  // the blocks hardly move
         EXPECT_EQ(list.searches(), 19);
@@ -208,13 +208,13 @@ TEST(NeighbourList, IsMadeAnewOnceACornerHasMovedByHalfOfItsSpare) {
         EXPECT_TRUE(after.prepare(list, margin));
         return list.searches() == 0;
     };
-    EXPECT_FALSE(isMadeAnew({0.0049, 0.0}, 0.02));
-    EXPECT_TRUE(isMadeAnew({0.0051, 0.0}, 0.02));
-    EXPECT_FALSE(isMadeAnew({0.0049, 0.0}, 0.019));
-    EXPECT_TRUE(isMadeAnew({0.0051, 0.0}, 0.019));
-    EXPECT_TRUE(isMadeAnew({0.0049, 0.0}, 0.021));
-    EXPECT_FALSE(isMadeAnew({0.0, 0.0}, 0.01));
-    EXPECT_TRUE(isMadeAnew({0.0, 0.0}, 1e-4));
+    EXPECT_FALSE(isReplaced({0.0049, 0.0}, 0.02));
+    EXPECT_TRUE(isReplaced({0.0051, 0.0}, 0.02));
+    EXPECT_FALSE(isReplaced({0.0049, 0.0}, 0.019));
+    EXPECT_TRUE(isReplaced({0.0051, 0.0}, 0.019));
+    EXPECT_TRUE(isReplaced({0.0049, 0.0}, 0.021));
+    EXPECT_FALSE(isReplaced({0.0, 0.0}, 0.01));
+    EXPECT_TRUE(isReplaced({0.0, 0.0}, 1e-4));
 }
 
 TEST(NeighbourList, IsNotKeptFromPlacesThatAreNoNumbers) {
