@@ -65,6 +65,17 @@ TEST(StepWork, TallWallThatHasSettledStartsAtRest) {
     EXPECT_LE(results.stages.back().health.steps, 5);
 }
 
+/// In a wide wall, bricks of the upper rows slide outwards one after the other. Iterations of the whole wall for each of
+/// them would be 150 factorizations, and pseudo-steps that do not converge would leave blocks unbalanced.
+TEST(StepWork, WideWallSettlesWithSixtyFactorizationsAtMost) {
+    Scene wall = settledWall(80, 62, 0.01);
+    wall.analysis.modelEverything = true;
+    const Results results = runInMemory(wall);
+    const Health& health = results.stages.front().health;
+    EXPECT_LE(health.work.factorizations, 60);
+    EXPECT_LE(health.worst.share, 3e-5);
+}
+
 /// Once a step has changed nothing, later ones are not solved.
 TEST(StepWork, WallAtRestTakesTenSolvesAtMost) {
     Scene wall = settledWall(40, 26);
@@ -90,19 +101,30 @@ TEST(StepWork, InShortStepsSweepsAloneSolveMost) {
     EXPECT_LE(health.work.sweeps - first.work.sweeps, 24 * steps);
 }
 
+/// Displacement of every block over the last stage.
+std::vector<Point> motionIn(const Results& results) {
+    const Frame& last = results.frames.back();
+    const auto first = std::find_if(results.frames.begin(), results.frames.end(),
+                                    [&](const Frame& frame) { return frame.stage == last.stage; });
+    std::vector<Point> motion;
+    for (std::size_t i = 0; i < last.blocks.size(); ++i)
+        motion.push_back(last.blocks[i].displacement - first->blocks[i].displacement);
+    return motion;
+}
+
 /// A step may leave 1e-4 of the forces unbalanced, so that movements may differ from those of nearly exact steps by about
 /// as much.
 TEST(StepWork, ShortStepsThatSweepsAloneSolveAreAccurate) {
     Scene wall = tiltedWall(40, 26);
     wall.stages.back().timeStep = 1e-4;
     wall.stages.back().duration = 4e-3;
-    const Frame frame = runInMemory(wall).frames.back();
+    const std::vector<Point> motion = motionIn(runInMemory(wall));
     wall.analysis.tolerance = 1e-8;
-    const Frame exact = runInMemory(wall).frames.back();
+    const std::vector<Point> exact = motionIn(runInMemory(wall));
     double moved = 0.0, apart = 0.0;
-    for (std::size_t i = 0; i < frame.blocks.size(); ++i) {
-        moved = std::max(moved, exact.blocks[i].displacement.norm());
-        apart = std::max(apart, (frame.blocks[i].displacement - exact.blocks[i].displacement).norm());
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+        moved = std::max(moved, exact[i].norm());
+        apart = std::max(apart, (motion[i] - exact[i]).norm());
     }
     EXPECT_GT(moved, 1e-5);
     EXPECT_LE(apart, 1e-4 * moved);

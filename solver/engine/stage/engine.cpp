@@ -58,8 +58,7 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     const Analysis& analysis = engine.model.analysis;
     const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
     const int passes = needs.maxPasses > 0 ? needs.maxPasses : engine.model.numerics.maxPasses;
-    const SolveSettings settings{needs.tolerance, passes,           openClose,
-                                 needs.fromGuess, needs.sweepsFrom, needs.sweepsFirst};
+    const SolveSettings settings{needs.tolerance, passes, openClose, needs.fromGuess, needs.sweepsFirst};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;

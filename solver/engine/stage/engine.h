@@ -71,7 +71,6 @@ struct StepNeeds {
     int maxPasses = 0;  // maximum number of iterations; 0: that of the scene
     bool convex = false;  // use Newton's method even if the scene selects open–close iteration
     bool fromGuess = false;  // as in `SolveSettings`
-    int sweepsFrom = 0;  // as in `SolveSettings`
     SweepsFirst* sweepsFirst = nullptr;  // as in `SolveSettings`
 };
 

@@ -57,8 +57,7 @@ constexpr double deepEntrance = 1e-5;
 // the first
 constexpr double slightUnrest = 10.0;
 constexpr int mostPaths = 2;  // repetitions of a pseudo-step for this reason
-constexpr int mostPasses = 20;  // largest number of iterations of a pseudo-step
-constexpr int sweepPatience = 15;  // iterations before sweeps are tried; with so little inertia they seldom help
+constexpr int mostPasses = 40;  // largest number of iterations of a pseudo-step
 constexpr double roughly = 0.1;  // residual up to which a pseudo-step without convergence is accepted
 constexpr double unsettledEase = 0.5;  // factor for the step length after such a pseudo-step
 constexpr double unsettledCut = 0.1;  // the same factor after a pseudo-step that is not accepted
@@ -191,12 +190,10 @@ private:
 
     StepNeeds needs() const {
         const bool fromGuess = paths_ > 0 || isEstimated();
-        if (!mayBeRough())
-            return {.tolerance = tolerance_, .fromGuess = fromGuess, .sweepsFrom = std::numeric_limits<int>::max()};
+        if (!mayBeRough()) return {.tolerance = tolerance_, .fromGuess = fromGuess};
         return {.tolerance = tolerance_,
                 .maxPasses = std::min(mostPasses, model_.numerics.maxPasses),
-                .fromGuess = fromGuess,
-                .sweepsFrom = sweepPatience};
+                .fromGuess = fromGuess};
     }
 
     /// Range of the search for contacts [m].

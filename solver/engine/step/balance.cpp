@@ -15,12 +15,6 @@ constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr int refined = 2;  // iterations: the second one corrects the round-off error of the first
 constexpr double ofOneBody = 10.0;  // times the tolerance: limit for a single body
 
-/// True if no unknown of a body is free.
-bool isDriven(const StepProblem& problem, int body) {
-    const auto first = problem.known.begin() + problem.first(body);
-    return std::all_of(first, first + problem.width(body), [](char known) { return known != 0; });
-}
-
 /// Round-off error of the loads and the inertia force on each body [N].
 std::vector<double> ownNoise(const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> noise;
@@ -110,6 +104,22 @@ std::vector<int> Balance::worstBodies(double share) const {
     for (int body = 0; body < problem_->blocks + problem_->nodes; ++body)
         if (left(body) > std::max(noiseOf(body), least * forces_[body])) bodies.push_back(body);
     return bodies;
+}
+
+std::vector<int> Balance::unbalancedBodies(double tolerance) const {
+    std::vector<int> bodies;
+    for (int body = 0; body < problem_->blocks + problem_->nodes; ++body)
+        if (bodyResidual(*problem_, trial_->net, body) > slack(body, ofOneBody * tolerance) &&
+            !isDriven(*problem_, body))
+            bodies.push_back(body);
+    return bodies;
+}
+
+double Balance::sum() const {
+    double sum = 0.0;
+    for (int body = 0; body < problem_->blocks + problem_->nodes; ++body)
+        if (!isDriven(*problem_, body)) sum += bodyResidual(*problem_, trial_->net, body);
+    return sum;
 }
 
 double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[body]; }

@@ -41,6 +41,12 @@ public:
     /// in ascending order; without those balanced to within round-off.
     std::vector<int> worstBodies(double share) const;
 
+    /// Bodies whose unbalanced force alone is more than `within` allows, in ascending order.
+    std::vector<int> unbalancedBodies(double tolerance) const;
+
+    /// Sum of the unbalanced forces on all bodies [N].
+    double sum() const;
+
     /// Largest unbalanced force that is acceptable on a body [N].
     double slack(int body, double tolerance) const;
 

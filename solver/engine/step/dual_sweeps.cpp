@@ -10,13 +10,10 @@
 namespace keyblock {
 namespace {
 
-// Maximum number of sweeps before a factorization, which costs as much as 50 of them. In motion, forces that have settled
-// leave fewer further iterations, each of which may need another factorization. In a search for equilibrium, sweeps
-// seldom help.
-constexpr int mostInMotion = 120, mostInSearch = 36;
-// change of the forces in a sweep, relative to the forces, in motion and in a search for equilibrium: in motion, sweeps
-// begin nearer to the solution, and the same change would leave more wrong states
-constexpr double settledInMotion = 7e-6, settledInSearch = 1e-5;
+// Maximum number of sweeps before a factorization, which costs as much as 50 of them. Forces that have settled leave
+// fewer further iterations, each of which may need another factorization.
+constexpr int mostSweeps = 120;
+constexpr double settled = 7e-6;  // change of the forces in a sweep, relative to the forces
 constexpr int mostFurther = 12;  // maximum number of further sweeps at a time, after the forces have settled
 constexpr double quickDecrease = 0.75;  // decrease of the mismatch in each of them that is assumed at first
 constexpr int mixedSweeps = 4;  // number of differences between successive sweeps that Anderson mixing combines
@@ -27,8 +24,7 @@ constexpr double leastSweepHold = 1e-4;  // fraction of a law's stiffness, used 
 
 DualSweeps::DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried)
     : problem_(problem), rows_(rows), swept_(problem, rows), forces_(swept_.count()), isSwept_(rows.count(), 0),
-      mixing_(mixedSweeps), most_(problem.mayLeave.empty() ? mostInMotion : mostInSearch),
-      settled_(problem.mayLeave.empty() ? settledInMotion : settledInSearch) {
+      mixing_(mixedSweeps) {
     for (std::size_t n = 0; n < swept_.count(); ++n) {
         forces_[n] = carried[swept_.linkOf(n)];
         isSwept_[swept_.linkOf(n)] = 1;
@@ -53,7 +49,7 @@ void DualSweeps::sweepOnce(StepWork& work) {
     ++made_;
 }
 
-bool DualSweeps::isSettled() const { return !(last_.changed > settled_ * settled_ * last_.forces); }
+bool DualSweeps::isSettled() const { return !(last_.changed > settled * settled * last_.forces); }
 
 /// Estimated difference between the forces that the laws give and the swept forces, relative to these.
 double DualSweeps::mismatch() const {
@@ -67,7 +63,7 @@ std::optional<Eigen::VectorXd> DualSweeps::sweepDownTo(double most, StepWork& wo
     for (int further = 0;; ++further) {
         const double now = mismatch();
         if (now <= most) return swept_.displacement();
-        const int left = std::min(mostFurther - further, most_ - made_);
+        const int left = std::min(mostFurther - further, mostSweeps - made_);
         const double decrease = lastButOne > 0.0 ? std::sqrt(now / lastButOne) : quickDecrease;
         if (left <= 0 || !(now * std::pow(decrease, left) <= most)) return std::nullopt;
         lastButOne = std::exchange(last, now);
@@ -82,7 +78,7 @@ std::optional<Eigen::VectorXd> DualSweeps::sweep(const Trial& from, double toler
     mixing_ = AndersonMixing(mixedSweeps);
     made_ = 0;
     do sweepOnce(work);
-    while (!isSettled() && made_ < most_);
+    while (!isSettled() && made_ < mostSweeps);
     if (!isSettled() || swept_.hasChains()) return std::nullopt;
     return sweepDownTo(tolerance, work);
 }

@@ -88,8 +88,7 @@ private:
     AndersonMixing mixing_;
     SweptLinks::Change last_;  // in the last sweep
     Eigen::VectorXd changes_;  // of the forces in the last sweep [N]
-    int made_ = 0, most_ = 0;  // number of sweeps since `sweep` was called, and their maximum
-    double settled_ = 0.0;  // relative change of the forces in a sweep up to which they have settled
+    int made_ = 0;  // number of sweeps since `sweep` was called
 };
 
 }  // namespace keyblock

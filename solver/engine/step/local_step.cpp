@@ -62,6 +62,23 @@ void LocalStep::insert(const StepProblem& whole, const Eigen::VectorXd& own, Eig
     }
 }
 
+std::vector<int> withNeighbours(const StepProblem& whole, const LinkRows& rows, const std::vector<int>& bodies,
+                                int rings) {
+    std::vector<char> near(whole.blocks + whole.nodes, 0);
+    for (const int body : bodies) near[body] = 1;
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<char> before = near;
+        for (std::size_t i = 0; i < rows.count(); ++i) {
+            const int a = rows.bodyA(i), b = rows.bodyB(i);
+            if (b >= 0 && before[a] != before[b]) near[a] = near[b] = 1;
+        }
+    }
+    std::vector<int> all;
+    for (int body = 0; body < whole.blocks + whole.nodes; ++body)
+        if (near[body] && !isDriven(whole, body)) all.push_back(body);
+    return all;
+}
+
 LocalStep localStep(const StepProblem& whole, const LinkRows& rows, std::vector<int> bodies, const Eigen::VectorXd& d) {
     LocalStep local;
     StepProblem& part = local.problem;

@@ -26,6 +26,12 @@ struct LocalStep {
     void insert(const StepProblem& whole, const Eigen::VectorXd& own, Eigen::VectorXd& d) const;
 };
 
+/// Adds all bodies within `rings` links of the bodies `bodies`, without those that are driven.
+/// \param rows the links of `whole`.
+/// \return in ascending order.
+std::vector<int> withNeighbours(const StepProblem& whole, const LinkRows& rows, const std::vector<int>& bodies,
+                                int rings);
+
 /// \param rows the links of `whole`.
 /// \param bodies in ascending order.
 /// \param d displacements at which the other bodies are held, one entry for each unknown of the whole step at least.

@@ -10,6 +10,7 @@
 #include "solver/engine/laws/step_law.h"
 #include "solver/engine/vector6.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -74,6 +75,12 @@ struct StepProblem {
     int first(int body) const { return body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks); }
     int width(int body) const { return body < blocks ? 6 : 3; }
 };
+
+/// True if no unknown of a body is free.
+inline bool isDriven(const StepProblem& problem, int body) {
+    const auto first = problem.known.begin() + problem.first(body);
+    return std::all_of(first, first + problem.width(body), [](char known) { return known != 0; });
+}
 
 inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
 

@@ -29,23 +29,26 @@ constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 constexpr int mostTries = 8, mostUseless = 2;
 constexpr int mostJudged = 3;  // maximum number of displacements under swept forces that are tried in succession
 constexpr double furtherShare = 0.5;  // of the tolerance: residual that further sweeps should leave
-constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps and no local solution
+constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
-// Local solutions: relative residual, over that of the worst body, from which bodies take part; largest share of all
-// bodies that may take part at the start of a step or under swept forces, and after a stall; number of times in
-// succession; and factor of the residual below which they are kept
-constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25;
-constexpr int mostLocal = 3;
-constexpr double helpsLocally = 0.5;
+// Local solutions in motion: relative residual, over that of the worst body, from which bodies take part; largest share
+// of all bodies that may take part under swept forces, and after a stall; and factor of the residual below which they
+// are kept
+constexpr double involved = 0.1, mostUnderSweeps = 0.1, mostAfterStall = 0.25, helpsLocally = 0.5;
+// The same at rest, where the bodies that are not balanced take part with their neighbours: number of links up to which
+// others are neighbours; largest share of all bodies; and factor of the sum of unbalanced forces below which they are kept
+constexpr int rings = 2;
+constexpr double mostAtRest = 0.1, helpsAtRest = 0.95;
+constexpr int mostLocal = 3;  // number of local solutions in succession
 // Steps in motion: iterations after which loose blocks are solved for alone and wedged ones moved on, and after which
 // sweeps that have failed are tried again
 constexpr int localFrom = 2, sweepsAgain = 12;
 constexpr double nearInMotion = 3e-2;  // residual up to which, in motion, a stall does not lead to sweeps
 constexpr double hardlyHelps = 0.9;  // times the previous residual: a step that leaves more creeps
 constexpr double productWork = 0.01;  // work of a product, in `workOf`
-// Fraction of a flat bolt law's secant that counts as its tangent after a line search has stalled: at first, and the
-// factors after a further stall and after a full step. Below the least fraction it is left out.
+// Fraction of a flat law's secant that counts as its tangent after a line search has stalled: at first, and the factors
+// after a further stall and after a full step. Below the least fraction it is left out.
 constexpr double firstFirmness = 1e-3, firmer = 10.0, softer = 0.1, leastFirmness = 1e-4;
 constexpr double nearlyFull = 0.8;  // step length from which the fraction is reduced
 constexpr double leastHold = 1e-6;  // fraction of a law's stiffness, used if nothing restrains a body
@@ -77,15 +80,15 @@ public:
            const std::function<bool()>& stopAsked)
         : problem_(problem), matrix_(matrix), trend_(trend), settings_(settings), stopAsked_(stopAsked),
           isLocal_(!trend), rows_(problem) {
-        if (!isLocal_) carried_ = DualSweeps::carriedForces(problem_, rows_);
+        if (!isLocal_ && !rests()) carried_ = DualSweeps::carriedForces(problem_, rows_);
     }
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
-        if (settlesLocally()) settleLocally(mostAtStart);
         while (report_.passes <= mostPasses() && !over()) {
             iterate();
             ++report_.passes;
+            if (rests() && !isLocal_) settleUnbalanced();
         }
         noteSweeps();
         d = unpadded(trial_.d);
@@ -144,25 +147,27 @@ private:
     int mostPasses() const {
         if (firmness_ == 0.0) return settings_.maxPasses;
         int flat = 0;
-        for (std::size_t i = 0; i < rows_.count(); ++i) flat += isFlat(i);
+        for (std::size_t i = 0; i < rows_.count(); ++i) flat += yields(i);
         return settings_.maxPasses + flat;
     }
 
     /// True for a hinge or crushing rock beyond its limit.
-    bool isFlat(std::size_t i) const {
+    bool yields(std::size_t i) const {
         const Law& law = problem_.links[i].law;
         return law.leastTangent > 0.0 && trial_.laws[i].tangent < law.stiffness;
     }
 
-    bool maySweep() const { return tries_ < mostTries && report_.passes >= settings_.sweepsFrom; }
+    bool slides(std::size_t i) const {
+        const Link& link = problem_.links[i];
+        return link.kind == LinkKind::Friction && trial_.laws[i].tangent < link.law.stiffness;
+    }
+
+    bool maySweep() const { return !rests() && !isLocal_ && tries_ < mostTries; }
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 
     /// True for a step in motion that the first iterations have not solved.
     bool isHard() const { return !rests() && report_.passes >= localFrom; }
-
-    /// In motion, inertia holds loose blocks, and local solutions cost what they save in the first iterations.
-    bool settlesLocally() const { return !isLocal_ && (rests() || isHard()); }
 
     void judge(Trial trial) {
         trial_ = std::move(trial);
@@ -236,7 +241,7 @@ private:
         std::optional<Eigen::VectorXd> d = dual_->sweep(trial_, settings_.tolerance, report_.work);
         for (int judged = 1; d; ++judged) {
             judge(trialAt(problem_, rows_, std::move(*d)));
-            if (!rests()) settleLocally(mostAtStart);
+            settleLocally(mostUnderSweeps);
             if (balance_->within(settings_.tolerance)) return true;
             if (judged == mostJudged) return false;
             const double share = std::min(1.0, settings_.tolerance / report_.residual);
@@ -316,10 +321,9 @@ private:
 
     /// A line search has met wrong contact states.
     void afterStall() {
-        if (settlesLocally()) settleLocally(mostAfterStall);
+        if (isHard() && !isLocal_) settleLocally(mostAfterStall);
         if (sweepsAreDue()) return sweepAgain();
-        if (!maySweep() || (!rests() && report_.residual <= nearInMotion)) return;
-        sweeps_ = stalled_ = true;
+        if (maySweep() && report_.residual > nearInMotion) sweeps_ = stalled_ = true;
     }
 
     bool sweepsAreDue() const {
@@ -331,13 +335,33 @@ private:
         sweeps_ = true;
     }
 
-    /// Solves for the worst bodies alone while all others are held, as often as that leaves much less, unless they are
-    /// more than a share `most` of all bodies. Often a single loose block keeps the step from converging.
+    double shareOf(const std::vector<int>& bodies) const {
+        return static_cast<double>(bodies.size()) / (problem_.blocks + problem_.nodes);
+    }
+
+    /// At rest, solves for the bodies that are not balanced and their neighbours while all others are held, as often as
+    /// that leaves less, unless they are too many. A few loose blocks slide or open one after the other, and each of
+    /// these changes would take an iteration of the whole step.
+    void settleUnbalanced() {
+        for (int made = 0; made < mostLocal; ++made) {
+            const std::vector<int> bodies = withNeighbours(problem_, rows_,
+                                                           balance_->unbalancedBodies(settings_.tolerance), rings);
+            const double share = shareOf(bodies);
+            if (bodies.empty() || share > mostAtRest) return;
+            const double before = balance_->sum();
+            Eigen::VectorXd old = trial_.d;
+            judge(trialAt(problem_, rows_, solvedLocally(bodies, share)));
+            if (!(balance_->sum() < helpsAtRest * before)) return judge(trialAt(problem_, rows_, std::move(old)));
+        }
+    }
+
+    /// In motion, solves for the worst bodies alone while all others are held, as often as that leaves much less, unless
+    /// they are more than a share `most` of all bodies. Often a single loose block keeps the step from converging. Inertia
+    /// holds loose blocks, and in the first iterations local solutions cost what they save.
     void settleLocally(double most) {
-        const double least = rests() ? easy : settings_.tolerance;
-        for (int made = 0; made < mostLocal && report_.residual > least; ++made) {
+        for (int made = 0; made < mostLocal && report_.residual > settings_.tolerance; ++made) {
             const std::vector<int> bodies = balance_->worstBodies(involved);
-            const double share = static_cast<double>(bodies.size()) / (problem_.blocks + problem_.nodes);
+            const double share = shareOf(bodies);
             if (bodies.empty() || share > most) return;
             const double before = report_.residual;
             Eigen::VectorXd old = trial_.d;
@@ -347,17 +371,15 @@ private:
         }
     }
 
-    /// The trial displacement with that of `bodies` solved again. The work counts by their share of all bodies.
+    /// The trial displacement with that of `bodies` solved again, or less if a stop is asked for. The work counts by their share of all bodies.
     Eigen::VectorXd solvedLocally(const std::vector<int>& bodies, double share) {
         LocalStep local = localStep(problem_, rows_, bodies, trial_.d);
         Eigen::VectorXd own = local.taken(problem_, trial_.d), d = trial_.d;
         SolveSettings settings = settings_;
         settings.fromGuess = true;
-        settings.sweepsFrom = std::numeric_limits<int>::max();
         settings.sweepsFirst = nullptr;
         StepMatrix matrix;
-        const std::function<bool()> never;
-        const SolveReport report = Newton(local.problem, matrix, nullptr, settings, never).from(own);
+        const SolveReport report = Newton(local.problem, matrix, nullptr, settings, stopAsked_).from(own);
         report_.work.products += std::lround(share * workOf(report.work) / productWork);
         local.insert(problem_, own, d);
         return d;
@@ -376,7 +398,7 @@ private:
     /// Tangent of a link in Newton's matrix, not multiplied by `Law::share`.
     double tangentOf(std::size_t i) const {
         const double tangent = trial_.laws[i].tangent;
-        if (firmness_ == 0.0 || !isFlat(i)) return tangent;
+        if (firmness_ == 0.0 || !(yields(i) || slides(i))) return tangent;
         const Law& law = problem_.links[i].law;
         return std::max(tangent, firmness_ * law.limit / std::abs(trial_.strains[i] - law.offset));
     }

@@ -20,7 +20,6 @@ struct SolveSettings {
     int maxPasses = 40;  // maximum number of iterations
     bool openClose = false;  // use the classical open–close iteration
     bool fromGuess = false;  // start from the given displacement, even if zero displacement has the smaller residual
-    int sweepsFrom = 0;  // number of iterations after which sweeps are tried
     SweepsFirst* sweepsFirst = nullptr;  // in motion: whether the step begins with sweeps; updated for the next one
 };
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -83,6 +84,25 @@ TEST(LocalStep, FrictionFollowsTheNormalForcesThatRemain) {
         EXPECT_EQ(local.problem.links[2 * i].a, 0);
         EXPECT_EQ(local.problem.links[2 * i].b, -1);
     }
+}
+
+/// A row of blocks, each linked to the next, of which the last is fixed.
+TEST(LocalStep, NeighboursAreFoundRingByRing) {
+    StepProblem row;
+    row.blocks = 6;
+    row.known.assign(row.unknowns(), 0);
+    std::fill(row.known.end() - 6, row.known.end(), 1);
+    row.weight = Eigen::VectorXd::Ones(row.unknowns());
+    for (int i = 0; i < 5; ++i) {
+        Link& link = row.links.emplace_back();
+        link.a = i, link.b = i + 1;
+        link.ga[0] = -1.0, link.gb[0] = 1.0;
+    }
+    const LinkRows rows(row);
+    EXPECT_EQ(withNeighbours(row, rows, {1}, 0), (std::vector<int>{1}));
+    EXPECT_EQ(withNeighbours(row, rows, {0}, 2), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(withNeighbours(row, rows, {1, 4}, 1), (std::vector<int>{0, 1, 2, 3, 4}));
+    EXPECT_TRUE(withNeighbours(row, rows, {}, 2).empty());
 }
 
 /// Blocks at rest on springs, and loose blocks that are pushed towards stops at very different distances; only their
