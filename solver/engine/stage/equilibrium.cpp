@@ -62,6 +62,8 @@ constexpr double roughly = 0.1;  // residual up to which a pseudo-step without c
 constexpr double unsettledEase = 0.5;  // factor for the step length after such a pseudo-step
 constexpr double unsettledCut = 0.1;  // the same factor after a pseudo-step that is not accepted
 constexpr double swingCut = 0.3;  // the same factor after pseudo-steps that go back and forth
+constexpr double calmShare = 0.5;  // of the length that led to a swing: longest pseudo-step for some time after it
+constexpr int calmSteps = 10;  // number of these pseudo-steps
 constexpr double fadingSwing = 0.7;  // of the previous step: smaller oscillations die out by themselves
 constexpr double noSwing = 1e3;  // times round-off: shorter moves are noise
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, while joints take up the run's first forces
@@ -321,7 +323,7 @@ private:
         lastLargest_ = moves.largest;
         if (!locked_) {
             lastMove_ = moves.largest;
-            dt_ = swings(d, moves.largest) ? swingCut * dt_ : nextStep(moves.overLimit);
+            dt_ = swings(d, moves.largest) ? afterSwing() : nextStep(moves.overLimit);
         }
         lastStep_ = d;
     }
@@ -424,10 +426,10 @@ private:
         if (usesMultipliers(model_) && multiplierError(model_, state_, problem, still) > 1.0) return false;
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         if (unrest_.beyond > 1.0) return false;
-        if (residual_ <= wellBalanced) return true;
         if (retries_ > mostRetries) return true;
         improves_ = mayImprove() && unrest_.beyond > leftBeforeMotion;
         if (improves_) return false;
+        if (residual_ <= wellBalanced) return true;
         const bool easy = dt_ < longest_ && report_.passes <= easyPasses;
         return residual_ > stillFalling * before && !(easy && unrest_.beyond > easilyBalanced);  // not worth another step
     }
@@ -450,7 +452,15 @@ private:
         double ease = report_.converged ? easeAfter(report_.passes) : unsettledEase;
         if (followsSlightUnrest()) ease = std::min(ease, 1.0);
         const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
-        return std::min(std::min(room, ease) * dt_, longest_);
+        return std::min(std::min(room, ease) * dt_, taken_ < calmFrom_ ? longestCalm_ : longest_);
+    }
+
+    /// The pseudo-step after a swing. For some pseudo-steps it stays well below the length that led to the swing, or a
+    /// block that changes between two positions would do so for ever.
+    double afterSwing() {
+        longestCalm_ = calmShare * dt_;
+        calmFrom_ = taken_ + calmSteps;
+        return swingCut * dt_;
     }
 
     /// True after the first pseudo-step of a search under a constant load that began with little unbalanced force on
@@ -569,6 +579,8 @@ private:
     Eigen::VectorXd path_;  // of the step that is repeated
     int paths_ = 0;  // number of its repetitions
     int taken_ = 0;
+    int calmFrom_ = 0;  // number of pseudo-steps taken from which a swing no longer limits their length
+    double longestCalm_ = 0.0;  // the limit until then
     bool improves_ = false;  // the state is balanced, and the pseudo-step is to leave less before motion follows
     int beforeMotion_ = 0, retries_ = 0;  // number of such pseudo-steps, and of failed attempts at the present one
     SolveReport report_;  // of the last step
