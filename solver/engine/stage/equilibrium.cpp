@@ -41,7 +41,8 @@ constexpr double shortestPseudoStep = 1e-7;  // over the longest pseudo-step
 constexpr double solvedShare = 1e-3;  // of the residual allowed on a body at rest: what a pseudo-step may leave
 constexpr double solvedUnrest = 0.01;  // of the unbalanced force at its start, if that is more
 constexpr double solvedNode = 1e-6;  // of the forces at a bolt node; they govern how yielding steel shares strain
-constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no improvement
+// residual over the reference force that needs no improvement, apart from that before motion
+constexpr double wellBalanced = 1e-9;
 constexpr double stillFalling = 0.1;  // of the previous residual: such a fast decrease continues below the tolerance
 constexpr double easilyBalanced = 0.03;  // of the residual allowed on bodies: in a tower, residuals add up
 constexpr double leftBeforeMotion = 0.03;  // of the residual allowed on bodies: what may remain if motion follows
@@ -458,7 +459,7 @@ private:
     /// The pseudo-step after a swing. For some pseudo-steps it stays well below the length that led to the swing, or a
     /// block that changes between two positions would do so for ever.
     double afterSwing() {
-        longestCalm_ = calmShare * dt_;
+        longestCalm_ = std::max(calmShare * dt_, shortestPseudoStep * longest_);
         calmFrom_ = taken_ + calmSteps;
         return swingCut * dt_;
     }

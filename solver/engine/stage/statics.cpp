@@ -40,7 +40,7 @@ constexpr double shortestChosen = 2.5e-3;  // minimum length, unless there is no
 constexpr double finestCollapse = 0.02;  // length from which a collapse is accepted
 constexpr double sameTurn = 0.8;  // of the rotation in a longer increment: a block turns in a jump
 constexpr long fewPasses = 16;  // iterations that a long increment may take; without sliding it takes fewer
-// the same for the last increment, as for one pseudo-step: often there is no equilibrium at the full load
+// the same for the last increment: often there is no equilibrium at the full load
 constexpr long manyPasses = 20;
 constexpr long mostInSearch = 400;  // pseudo-steps after which a shorter increment is tried
 

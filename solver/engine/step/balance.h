@@ -41,7 +41,8 @@ public:
     /// in ascending order; without those balanced to within round-off.
     std::vector<int> worstBodies(double share) const;
 
-    /// Bodies whose unbalanced force alone is more than `within` allows, in ascending order.
+    /// Bodies whose unbalanced force is more than is allowed for a single body, in ascending order. The step may be
+    /// unbalanced as a whole without any.
     std::vector<int> unbalancedBodies(double tolerance) const;
 
     /// Sum of the unbalanced forces on all bodies [N].

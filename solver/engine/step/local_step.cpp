@@ -7,6 +7,7 @@
 namespace keyblock {
 namespace {
 
+/// Adds a body to `part`, whose vectors have their final length.
 void addBody(const StepProblem& whole, int body, StepProblem& part) {
     const bool block = body < whole.blocks;
     const int first = whole.first(body), width = whole.width(body);
@@ -14,7 +15,6 @@ void addBody(const StepProblem& whole, int body, StepProblem& part) {
     if (block) part.blockStiffness.push_back(whole.blockStiffness[body]);
     else part.nodeStiffness.push_back(whole.nodeStiffness[body - whole.blocks]);
     ++(block ? part.blocks : part.nodes);
-    for (Eigen::VectorXd* values : {&part.load, &part.value, &part.weight}) values->conservativeResize(part.unknowns());
     part.load.segment(at, width) = whole.load.segment(first, width);
     part.value.segment(at, width) = whole.value.segment(first, width);
     part.weight.segment(at, width) = whole.weight.segment(first, width);
@@ -70,7 +70,8 @@ std::vector<int> withNeighbours(const StepProblem& whole, const LinkRows& rows, 
         const std::vector<char> before = near;
         for (std::size_t i = 0; i < rows.count(); ++i) {
             const int a = rows.bodyA(i), b = rows.bodyB(i);
-            if (b >= 0 && before[a] != before[b]) near[a] = near[b] = 1;
+            if (b < 0 || before[a] == before[b]) continue;
+            if (!isDriven(whole, before[a] ? a : b)) near[a] = near[b] = 1;
         }
     }
     std::vector<int> all;
@@ -83,6 +84,9 @@ LocalStep localStep(const StepProblem& whole, const LinkRows& rows, std::vector<
     LocalStep local;
     StepProblem& part = local.problem;
     std::vector<int> rowOf(whole.blocks + whole.nodes, -1), linkRow(whole.links.size(), -1);
+    Eigen::Index unknowns = 0;
+    for (const int body : bodies) unknowns += whole.width(body);
+    for (Eigen::VectorXd* values : {&part.load, &part.value, &part.weight}) values->resize(unknowns);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         rowOf[bodies[i]] = static_cast<int>(i);
         addBody(whole, bodies[i], part);

@@ -26,7 +26,8 @@ struct LocalStep {
     void insert(const StepProblem& whole, const Eigen::VectorXd& own, Eigen::VectorXd& d) const;
 };
 
-/// Adds all bodies within `rings` links of the bodies `bodies`, without those that are driven.
+/// Adds all bodies within `rings` links of the bodies `bodies`. Driven bodies are left out, and nothing is reached through
+/// them.
 /// \param rows the links of `whole`.
 /// \return in ascending order.
 std::vector<int> withNeighbours(const StepProblem& whole, const LinkRows& rows, const std::vector<int>& bodies,

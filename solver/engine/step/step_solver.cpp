@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -29,17 +28,18 @@ constexpr double shortest = 1.0 / 50.0;  // lower bound of the shortened step
 constexpr int mostTries = 8, mostUseless = 2;
 constexpr int mostJudged = 3;  // maximum number of displacements under swept forces that are tried in succession
 constexpr double furtherShare = 0.5;  // of the tolerance: residual that further sweeps should leave
-constexpr double easy = 2e-3;  // residual up to which Newton's method needs no sweeps
+constexpr double easy = 2e-3;  // residual up to which a step needs no sweeps, nor a local solution at its start
 constexpr double farFromBalance = 3e-3;  // residual above which the line search of Newton's method soon stalls
 constexpr double helps = 0.2;  // times the previous residual: sweeps that leave less may continue
-// Local solutions in motion: relative residual, over that of the worst body, from which bodies take part; largest share
-// of all bodies that may take part under swept forces, and after a stall; and factor of the residual below which they
-// are kept
-constexpr double involved = 0.1, mostUnderSweeps = 0.1, mostAfterStall = 0.25, helpsLocally = 0.5;
-// The same at rest, where the bodies that are not balanced take part with their neighbours: number of links up to which
-// others are neighbours; largest share of all bodies; and factor of the sum of unbalanced forces below which they are kept
-constexpr int rings = 2;
-constexpr double mostAtRest = 0.1, helpsAtRest = 0.95;
+// Local solutions of the worst bodies: relative residual, over that of the worst body, from which bodies take part;
+// largest share of all bodies that may take part at the start of a step at rest or under swept forces, and in motion
+// after a stall; and factor of the residual below which they are kept
+constexpr double involved = 0.1, mostAtStart = 0.1, mostAfterStall = 0.25, helpsLocally = 0.5;
+// Local solutions of all unbalanced bodies and their neighbours after a shortened step at rest: number of iterations
+// after which they are made after full steps, too; number of links up to which others are neighbours; largest share of
+// all bodies; and factor of the sum of unbalanced forces below which they are kept
+constexpr int mostFullSteps = 3, rings = 2;
+constexpr double mostUnbalanced = 0.1, reduces = 0.95;
 constexpr int mostLocal = 3;  // number of local solutions in succession
 // Steps in motion: iterations after which loose blocks are solved for alone and wedged ones moved on, and after which
 // sweeps that have failed are tried again
@@ -51,6 +51,8 @@ constexpr double productWork = 0.01;  // work of a product, in `workOf`
 // after a further stall and after a full step. Below the least fraction it is left out.
 constexpr double firstFirmness = 1e-3, firmer = 10.0, softer = 0.1, leastFirmness = 1e-4;
 constexpr double nearlyFull = 0.8;  // step length from which the fraction is reduced
+constexpr double overshoot = 3.0;  // times the slip of a contact: a step that adds more to it needs the secant
+constexpr double similar = 10.0;  // factor up to which the secant of a sliding contact stays as it is in the factor
 constexpr double leastHold = 1e-6;  // fraction of a law's stiffness, used if nothing restrains a body
 
 std::vector<double> limitsOf(const StepProblem& problem) {
@@ -85,10 +87,12 @@ public:
 
     SolveReport from(Eigen::VectorXd& d) {
         begin(padded(d));
+        if (settlesAtRest()) settleLocally(mostAtStart);
         while (report_.passes <= mostPasses() && !over()) {
             iterate();
             ++report_.passes;
-            if (rests() && !isLocal_) settleUnbalanced();
+            const bool isDue = length_ < nearlyFull || report_.passes > mostFullSteps;
+            if (settlesAtRest() && isDue && !report_.singular) settleUnbalanced();
         }
         noteSweeps();
         d = unpadded(trial_.d);
@@ -162,12 +166,25 @@ private:
         return link.kind == LinkKind::Friction && trial_.laws[i].tangent < link.law.stiffness;
     }
 
+    /// True for a sliding contact that a step at rest would have moved far beyond its slip.
+    bool overshoots(std::size_t i) const { return !overshoots_.empty() && overshoots_[i] && slides(i); }
+
+    void noteOvershoots(const std::vector<double>& rates) {
+        overshoots_.resize(rates.size(), 0);
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+            const double slip = std::abs(trial_.strains[i] - problem_.links[i].law.offset);
+            if (slides(i) && std::abs(rates[i]) > overshoot * slip) overshoots_[i] = 1;
+        }
+    }
+
     bool maySweep() const { return !rests() && !isLocal_ && tries_ < mostTries; }
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 
     /// True for a step in motion that the first iterations have not solved.
     bool isHard() const { return !rests() && report_.passes >= localFrom; }
+
+    bool settlesAtRest() const { return rests() && !isLocal_; }
 
     void judge(Trial trial) {
         trial_ = std::move(trial);
@@ -241,7 +258,7 @@ private:
         std::optional<Eigen::VectorXd> d = dual_->sweep(trial_, settings_.tolerance, report_.work);
         for (int judged = 1; d; ++judged) {
             judge(trialAt(problem_, rows_, std::move(*d)));
-            settleLocally(mostUnderSweeps);
+            settleLocally(mostAtStart);
             if (balance_->within(settings_.tolerance)) return true;
             if (judged == mostJudged) return false;
             const double share = std::min(1.0, settings_.tolerance / report_.residual);
@@ -284,6 +301,7 @@ private:
         const double length = lineSearch(problem_, rows_, from_, direction.displacement, rates, direction.coupled);
         if (length < 1.0) go(length);
         adaptFirmness(length);
+        if (rests() && length < stall) noteOvershoots(rates);
         double best = length, least = report_.residual;
         const bool mayCircle = direction.slides && report_.passes >= patience;
         for (double shorter = 0.5; mayCircle && least > before && shorter > shortest; shorter *= 0.5) {
@@ -344,22 +362,23 @@ private:
     /// these changes would take an iteration of the whole step.
     void settleUnbalanced() {
         for (int made = 0; made < mostLocal; ++made) {
-            const std::vector<int> bodies = withNeighbours(problem_, rows_,
-                                                           balance_->unbalancedBodies(settings_.tolerance), rings);
+            const std::vector<int> unbalanced = balance_->unbalancedBodies(settings_.tolerance);
+            if (unbalanced.empty() || shareOf(unbalanced) > mostUnbalanced) return;
+            const std::vector<int> bodies = withNeighbours(problem_, rows_, unbalanced, rings);
             const double share = shareOf(bodies);
-            if (bodies.empty() || share > mostAtRest) return;
+            if (share > mostUnbalanced) return;
             const double before = balance_->sum();
             Eigen::VectorXd old = trial_.d;
             judge(trialAt(problem_, rows_, solvedLocally(bodies, share)));
-            if (!(balance_->sum() < helpsAtRest * before)) return judge(trialAt(problem_, rows_, std::move(old)));
+            if (!(balance_->sum() < reduces * before)) return judge(trialAt(problem_, rows_, std::move(old)));
         }
     }
 
-    /// In motion, solves for the worst bodies alone while all others are held, as often as that leaves much less, unless
-    /// they are more than a share `most` of all bodies. Often a single loose block keeps the step from converging. Inertia
-    /// holds loose blocks, and in the first iterations local solutions cost what they save.
+    /// Solves for the worst bodies alone while all others are held, as often as that leaves much less, unless they are
+    /// more than a share `most` of all bodies. Often a single loose block keeps the step from converging.
     void settleLocally(double most) {
-        for (int made = 0; made < mostLocal && report_.residual > settings_.tolerance; ++made) {
+        const double least = rests() ? easy : settings_.tolerance;
+        for (int made = 0; made < mostLocal && report_.residual > least; ++made) {
             const std::vector<int> bodies = balance_->worstBodies(involved);
             const double share = shareOf(bodies);
             if (bodies.empty() || share > most) return;
@@ -371,7 +390,7 @@ private:
         }
     }
 
-    /// The trial displacement with that of `bodies` solved again, or less if a stop is asked for. The work counts by their share of all bodies.
+    /// The trial displacement with that of `bodies` solved again. The work counts by their share of all bodies.
     Eigen::VectorXd solvedLocally(const std::vector<int>& bodies, double share) {
         LocalStep local = localStep(problem_, rows_, bodies, trial_.d);
         Eigen::VectorXd own = local.taken(problem_, trial_.d), d = trial_.d;
@@ -379,7 +398,8 @@ private:
         settings.fromGuess = true;
         settings.sweepsFirst = nullptr;
         StepMatrix matrix;
-        const SolveReport report = Newton(local.problem, matrix, nullptr, settings, stopAsked_).from(own);
+        const std::function<bool()> never;  // `stopAsked_` may count its calls
+        const SolveReport report = Newton(local.problem, matrix, nullptr, settings, never).from(own);
         report_.work.products += std::lround(share * workOf(report.work) / productWork);
         local.insert(problem_, own, d);
         return d;
@@ -390,6 +410,7 @@ private:
     /// steps become short enough, but many; hence a fraction of it is used, which follows the step lengths. In motion
     /// inertia holds the rock and sweeps help; there it would double the work.
     void adaptFirmness(double length) {
+        length_ = length;
         if (!rests()) return;
         if (length < stall) firmness_ = std::min(1.0, std::max(firmer * firmness_, firstFirmness));
         else if (length > nearlyFull) firmness_ = softer * firmness_ < leastFirmness ? 0.0 : softer * firmness_;
@@ -398,7 +419,7 @@ private:
     /// Tangent of a link in Newton's matrix, not multiplied by `Law::share`.
     double tangentOf(std::size_t i) const {
         const double tangent = trial_.laws[i].tangent;
-        if (firmness_ == 0.0 || !(yields(i) || slides(i))) return tangent;
+        if (firmness_ == 0.0 || !(yields(i) || overshoots(i))) return tangent;
         const Law& law = problem_.links[i].law;
         return std::max(tangent, firmness_ * law.limit / std::abs(trial_.strains[i] - law.offset));
     }
@@ -422,11 +443,19 @@ private:
         return matrix_;
     }
 
+    /// The weight of a link in the factor if it is similar to `weight`; otherwise `weight`. Any fraction of a secant
+    /// serves, and a change of the factor costs work.
+    double similarInFactor(std::size_t i, double weight) {
+        const double known = matrix().weightInFactor(i).value_or(0.0);
+        return known < similar * weight && weight < similar * known ? known : weight;
+    }
+
     bool factor() {
         std::vector<double> weights(rows_.count());
         const auto take = [&](double least) {
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 weights[i] = rows_.law(i).share * tangentOf(i);
+                if (firmness_ > 0.0 && overshoots(i)) weights[i] = similarInFactor(i, weights[i]);
                 if (least > 0.0)
                     weights[i] = std::max(weights[i], rows_.law(i).share * least * problem_.links[i].law.stiffness);
                 if (isIndifferent(i)) weights[i] = matrix().weightInFactor(i).value_or(weights[i]);
@@ -460,7 +489,9 @@ private:
     bool stalled_ = false, dropped_ = false;  // Newton's method stalled; the first sweeps were of no use
     bool creeps_ = false;  // the last step hardly reduced the residual
     bool helped_ = false;  // a local solution was kept
-    double firmness_ = 0.0;  // fraction of the secant of flat bolt laws in Newton's matrix
+    double length_ = 1.0;  // of the last step, over the full one
+    double firmness_ = 0.0;  // fraction of the secant of flat laws in Newton's matrix
+    std::vector<char> overshoots_;  // per link: a step at rest would have moved it far beyond its slip; empty: none
     int tries_ = 0, useless_ = 0;
     Trial beforeSweeps_;
     double residualBefore_ = 0.0;

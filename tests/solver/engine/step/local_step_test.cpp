@@ -86,12 +86,12 @@ TEST(LocalStep, FrictionFollowsTheNormalForcesThatRemain) {
     }
 }
 
-/// A row of blocks, each linked to the next, of which the last is fixed.
+/// A row of blocks, each linked to the next, of which the last but one is fixed.
 TEST(LocalStep, NeighboursAreFoundRingByRing) {
     StepProblem row;
     row.blocks = 6;
     row.known.assign(row.unknowns(), 0);
-    std::fill(row.known.end() - 6, row.known.end(), 1);
+    std::fill(row.known.begin() + row.first(4), row.known.begin() + row.first(5), 1);
     row.weight = Eigen::VectorXd::Ones(row.unknowns());
     for (int i = 0; i < 5; ++i) {
         Link& link = row.links.emplace_back();
@@ -101,7 +101,8 @@ TEST(LocalStep, NeighboursAreFoundRingByRing) {
     const LinkRows rows(row);
     EXPECT_EQ(withNeighbours(row, rows, {1}, 0), (std::vector<int>{1}));
     EXPECT_EQ(withNeighbours(row, rows, {0}, 2), (std::vector<int>{0, 1, 2}));
-    EXPECT_EQ(withNeighbours(row, rows, {1, 4}, 1), (std::vector<int>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(withNeighbours(row, rows, {0, 3}, 3), (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(withNeighbours(row, rows, {5}, 2), (std::vector<int>{5}));
     EXPECT_TRUE(withNeighbours(row, rows, {}, 2).empty());
 }
 
