@@ -90,7 +90,7 @@ private:
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
         settings.maxSteps = most;
-        return equilibrium(state, path, std::move(settings), moved);
+        return equilibrium(state, path, settings, moved);
     }
 
     StepEnding equilibrium(State& state, const LoadPath& path, StaticSettings settings, Eigen::VectorXd* moved) {
@@ -133,7 +133,7 @@ private:
     /// part ends without a result, limits that were exceeded during it are released first.
     StepEnding searchOn(State& state, double to) {
         for (;;) {
-            const StepEnding ending = searchToTheEnd(state, to, mostInSearch);
+            StepEnding ending = searchToTheEnd(state, to, mostInSearch);
             if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || lettingGo(ending, state)) return ending;
         }
     }
@@ -401,7 +401,7 @@ private:
         const double small = followShare * engine_.model.size;
         for (int round = 0; round < mostRounds && followBolts(engine_.model, state_) > small; ++round) {
             State trial = state_;
-            const StepEnding ending = equilibrium(trial, progress_.done);
+            StepEnding ending = equilibrium(trial, progress_.done);
             state_ = std::move(trial);
             if (ending.ending != Ending::Done) return ending;
         }
@@ -422,7 +422,7 @@ private:
             const double middle = search.next();
             State trial = under.state;
             const long before = engine_.health.passes;
-            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
+            StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
             const auto worst = worstLimit(limits, 0.0);
@@ -473,7 +473,7 @@ private:
     /// Finds the equilibrium after a release, at the same load.
     StepEnding balanceAgain() {
         State trial = state_;
-        const StepEnding ending = searchOn(trial, progress_.done);
+        StepEnding ending = searchOn(trial, progress_.done);
         setMoving(lettingGo(ending, trial));
         state_ = std::move(trial);
         if (progress_.moving()) return {};  // limits exceeded during the motion are released next
